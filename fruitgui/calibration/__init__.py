@@ -1,0 +1,1 @@
+"""How sensors find each other and the belt, and how far that can be trusted."""

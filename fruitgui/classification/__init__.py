@@ -1,0 +1,1 @@
+"""What kind a fruit is: samples, the network, its training and its honest evaluation."""

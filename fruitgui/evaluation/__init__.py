@@ -1,0 +1,1 @@
+"""Accuracy and speed against simulated truth, product mode beside paper mode."""

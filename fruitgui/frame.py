@@ -1,0 +1,100 @@
+"""What every sensor makes: one colour image and the depth registered to it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+U8 = NDArray[np.uint8]
+U16 = NDArray[np.uint16]
+F32 = NDArray[np.float32]
+F64 = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+Ints = NDArray[np.intp]
+
+NO_DEPTH = 0
+"""Depth value of a pixel without a reading."""
+
+
+@dataclass(frozen=True, slots=True)
+class Intrinsics:
+    """Pinhole camera with lens distortion (OpenCV's order: k1 k2 p1 p2 k3 …), pixels.
+
+    Pixel (u, v) has its centre at integer coordinates, u to the right, v down.
+    """
+
+    width: int
+    height: int
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+    distortion: tuple[float, ...] = ()
+
+    @property
+    def matrix(self) -> F64:
+        """The 3×3 camera matrix."""
+        return np.array([[self.fx, 0.0, self.cx], [0.0, self.fy, self.cy], [0.0, 0.0, 1.0]])
+
+    def rays(self) -> F32:
+        """Return x/z and y/z of every pixel's ray, undistorted: (height, width, 2). Shared; do not write."""
+        return _rays(self)
+
+    def project(self, points_m: F64) -> F64:
+        """Return pixel coordinates (N, 2) of points (N, 3) in the optical frame, z > 0, lens included."""
+        import cv2
+
+        points = np.asarray(points_m, dtype=np.float64).reshape(-1, 3)
+        if not self.distortion:
+            z = points[:, 2]
+            return np.stack([self.fx * points[:, 0] / z + self.cx, self.fy * points[:, 1] / z + self.cy], axis=1)
+        pixels, _ = cv2.projectPoints(points, np.zeros(3), np.zeros(3), self.matrix, np.array(self.distortion))
+        return np.asarray(pixels, dtype=np.float64).reshape(-1, 2)
+
+
+@lru_cache(maxsize=64)
+def _rays(camera: Intrinsics) -> F32:
+    import cv2
+
+    rays: F32
+    u, v = np.meshgrid(np.arange(camera.width, dtype=np.float64), np.arange(camera.height, dtype=np.float64))
+    if camera.distortion:
+        pixels = np.stack([u, v], axis=-1).reshape(-1, 1, 2)
+        undistorted = cv2.undistortPoints(pixels, camera.matrix, np.array(camera.distortion))
+        rays = undistorted.reshape(camera.height, camera.width, 2).astype(np.float32)
+    else:
+        rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy], axis=-1).astype(np.float32)
+    rays.setflags(write=False)
+    return rays
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Frame:
+    """One capture of one sensor.
+
+    Attributes:
+        sensor: the sensor's id.
+        sequence: counts the captures of this sensor, from 0.
+        time_s: capture time of the depth, seconds, in the sensor's own clock.
+        color: (height, width, 3) uint8, RGB.
+        depth_mm: (height, width) uint16, registered to the colour image, 0 = no reading.
+        intrinsics: of the colour camera, which the depth shares.
+    """
+
+    sensor: str
+    sequence: int
+    time_s: float
+    color: U8
+    depth_mm: U16
+    intrinsics: Intrinsics
+
+    def points(self) -> F32:
+        """Return every pixel's point in the optical frame, metres: (height, width, 3), zeros where no reading."""
+        z = self.depth_mm.astype(np.float32) * np.float32(1e-3)
+        points = np.empty((*z.shape, 3), dtype=np.float32)
+        np.multiply(self.intrinsics.rays(), z[..., None], out=points[..., :2])
+        points[..., 2] = z
+        return points

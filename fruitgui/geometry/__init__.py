@@ -1,0 +1,1 @@
+"""Plain array mathematics: rotations, poses with covariance, planes, ellipses, propagation of error."""

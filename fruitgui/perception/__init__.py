@@ -1,0 +1,1 @@
+"""One frame in, the fruit that one sensor saw in it out."""

@@ -1,0 +1,81 @@
+"""The one protocol that every sensor follows. A driver fills a frame; nothing else."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from fruitgui.errors import WorldError
+from fruitgui.frame import Frame, Intrinsics
+
+
+@dataclass(frozen=True, slots=True)
+class SensorInfo:
+    """Who a sensor is.
+
+    Attributes:
+        sensor: the id that a person gave, ROS-safe.
+        make, model, serial: of the device; empty where unknown.
+        intrinsics: of the colour camera, to which depth is registered.
+        rate_hz: nominal frame rate, when not taking turns.
+    """
+
+    sensor: str
+    make: str
+    model: str
+    serial: str
+    intrinsics: Intrinsics
+    rate_hz: float
+
+
+class SensorTimeoutError(WorldError):
+    """No frame came within the time allowed."""
+
+    def __init__(self, sensor: str, timeout_s: float) -> None:
+        super().__init__(
+            "sensor_silent",
+            f"Sensor {sensor} gave no frame within {timeout_s:g} s.",
+            "Check its cable and power; it is opened again by itself when it returns.",
+        )
+
+
+class EndOfStreamError(WorldError):
+    """A sensor that plays something finite has given its last frame."""
+
+    def __init__(self, sensor: str) -> None:
+        super().__init__("end_of_stream", f"Sensor {sensor} has no more frames.", "Start it again to replay.")
+
+
+class Sensor(Protocol):
+    """One RGB-D camera. Not thread-safe: one owner calls it.
+
+    The order is open, start, read …, stop, close; stop and close may be called
+    at any time and any number of times.
+    """
+
+    @property
+    def info(self) -> SensorInfo:
+        """Who this is; valid from construction on."""
+
+    def open(self) -> None:
+        """Take the device. Raises `WorldError` where it cannot be had."""
+
+    def start(self) -> None:
+        """Begin to capture."""
+
+    def read(self, timeout_s: float) -> Frame:
+        """Return the next frame.
+
+        Raises:
+            SensorTimeoutError: none came in time.
+            EndOfStreamError: none will come.
+        """
+
+    def projector(self, on: bool) -> None:
+        """Switch the projector, where the device has one that can be switched."""
+
+    def stop(self) -> None:
+        """End capturing."""
+
+    def close(self) -> None:
+        """Give the device back."""

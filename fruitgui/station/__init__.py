@@ -1,0 +1,1 @@
+"""The station file, and the line that runs on it."""
