@@ -54,7 +54,7 @@ def _view_on_plane(intrinsics: Intrinsics, plane: Plane, farthest_m: float = 6.0
     approach = -(directions @ plane.normal)
     with np.errstate(divide="ignore"):
         z = np.where(approach > 1e-6, plane.offset_m / np.maximum(approach, 1e-6), farthest_m)
-    return directions * np.clip(z, 0.0, farthest_m)[:, None]
+    return np.asarray(directions * np.clip(z, 0.0, farthest_m)[:, None])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
