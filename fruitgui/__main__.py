@@ -1,0 +1,7 @@
+"""`python -m fruitgui` is `fruitgui`."""
+
+import sys
+
+from fruitgui.cli import main
+
+sys.exit(main())

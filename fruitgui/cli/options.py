@@ -1,0 +1,75 @@
+"""Options that several commands share, and how their texts become values."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from pathlib import Path
+from typing import TypeAlias
+
+from fruitgui.errors import InputError
+from fruitgui.station.source import RecordingSource
+
+Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
+
+
+def add_recording_options(command: argparse.ArgumentParser) -> None:
+    """Add the options of every command that reads a recording."""
+    command.add_argument(
+        "--topics", action="append", default=[], metavar="S:rgb=/…,info=/…,depth=/…",
+        help="where sensor S has its topics, if not under its own name (repeatable)",
+    )  # fmt: skip
+    command.add_argument("--sensors", metavar="ID,…", help="use only these sensors")
+    command.add_argument(
+        "--clock-offset", action="append", default=[], metavar="S=SECONDS",
+        help="added to the stamps of sensor S (repeatable)",
+    )  # fmt: skip
+
+
+def add_json(command: argparse.ArgumentParser) -> None:
+    """Add `--json`."""
+    command.add_argument("--json", action="store_true", help="print one JSON object instead of text")
+
+
+def source(options: argparse.Namespace, path: Path) -> RecordingSource:
+    """Return where to read from, of the options given."""
+    sensors = None if options.sensors is None else tuple(name for name in options.sensors.split(",") if name)
+    return RecordingSource(path, tuple(options.topics), sensors, _clock_offsets(options.clock_offset))
+
+
+def _clock_offsets(texts: list[str]) -> dict[str, float]:
+    offsets: dict[str, float] = {}
+    for text in texts:
+        name, sign, seconds = text.partition("=")
+        if not name or not sign:
+            raise InputError("usage", f"--clock-offset {text!r} is not S=SECONDS.", "Example: --clock-offset k2=0.25")
+        offsets[name] = finite(seconds, f"--clock-offset {name}")
+    return offsets
+
+
+def finite(text: str, option: str) -> float:
+    """Return the finite number in an option's text.
+
+    Raises:
+        InputError: it is not one.
+    """
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise InputError("usage", f"{option} is {text[:40]!r}, not a finite number.", "Give a plain number.")
+    return value
+
+
+def check_writable(path: Path) -> Path:
+    """Return `path` if a file can be made there; said before hours of work, not after.
+
+    Raises:
+        InputError: its folder is missing, or it is a folder itself.
+    """
+    if path.is_dir():
+        raise InputError("bad_output", f"{path} is a folder.", "Name a file.", file=path)
+    if not path.resolve().parent.is_dir():
+        raise InputError("bad_output", f"The folder {path.parent} does not exist.", "Make it first.", file=path)
+    return path

@@ -1,0 +1,67 @@
+"""`fruitgui`: reads the arguments, runs one command, and turns every ending into an exit code."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+from fruitgui import __version__
+from fruitgui.cli import calibrate, demo, evaluate, record, run, study, train
+from fruitgui.cli.console import Console
+from fruitgui.errors import CancelledByUserError, FruitguiError, InputError, WorldError
+
+COMMANDS = (demo, record, calibrate, train, run, study, evaluate)
+
+
+class _Parser(argparse.ArgumentParser):
+    """Raises what a person can read instead of leaving the process from inside."""
+
+    def error(self, message: str) -> NoReturn:
+        raise InputError("usage", f"{self.prog}: {message}", f"See {self.prog} --help.")
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the parser of the whole command line."""
+    top = _Parser(prog="fruitgui", description="Measure, sort and count fruit on a belt with several RGB-D sensors.")
+    top.add_argument("--version", action="version", version=f"fruitgui {__version__}")
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    for command in COMMANDS:
+        command.add(commands)
+    return top
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; return its exit code (0, 1, 2, 3 or 130)."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    console = Console(as_json="--json" in given)
+    try:
+        code = _run(given, console)
+        sys.stdout.flush()
+    except FruitguiError as error:
+        console.error(error)
+        return error.exit_code
+    except KeyboardInterrupt:
+        stopped = CancelledByUserError()
+        console.error(stopped)
+        return stopped.exit_code
+    except BrokenPipeError:
+        # Whoever read our output has gone; there is nobody left to tell.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return WorldError.exit_code
+    except MemoryError:
+        error = WorldError("out_of_memory", "The machine has no memory left for this.", "Close other programs.")
+        console.error(error)
+        return error.exit_code
+    return code
+
+
+def _run(given: list[str], console: Console) -> int:
+    try:
+        options = parser().parse_args(given)
+    except SystemExit as done:  # --help and --version end here
+        return int(done.code or 0)
+    code = options.run(options, console)
+    return int(code)

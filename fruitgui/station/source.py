@@ -1,0 +1,24 @@
+"""What to read: a recording with the options a person gave."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+@dataclass(frozen=True, slots=True)
+class RecordingSource:
+    """A recording and how to read it.
+
+    Attributes:
+        path: of the file.
+        topics: texts `S:rgb=/…,info=/…,depth=/…` for sensors whose topics have other names.
+        sensors: ids to use; None for all.
+        clock_offsets_s: by sensor, added to its stamps; only those a person gave.
+    """
+
+    path: Path
+    topics: tuple[str, ...] = ()
+    sensors: tuple[str, ...] | None = None
+    clock_offsets_s: Mapping[str, float] = field(default_factory=dict)

@@ -1,0 +1,217 @@
+"""The station file, `fruitgui.station/1`: read with every doubt, written whole."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, FiniteFloat, ValidationError, model_validator
+
+from fruitgui.errors import InputError
+from fruitgui.files import read_json, write_json
+from fruitgui.frame import F64
+from fruitgui.geometry.plane import Plane, Surface
+from fruitgui.geometry.pose import Pose
+from fruitgui.geometry.rotation import is_rotation, nearest_rotation
+from fruitgui.sensors.depth_correction import DepthCorrection
+from fruitgui.station.station import Station, StationSensor
+
+SCHEMA = "fruitgui.station/1"
+REMEDY = "Calibrate again, or name a station file that calibrating wrote."
+SENSOR_ID = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}")
+FARTHEST_M = 1000.0
+"""No rig is larger; a translation beyond it is a slip of units or of the file."""
+
+Metres = Annotated[FiniteFloat, Field(ge=-FARTHEST_M, le=FARTHEST_M)]
+Vector = Annotated[list[Metres], Field(min_length=3, max_length=3)]
+UnitRow = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
+Matrix3 = Annotated[list[UnitRow], Field(min_length=3, max_length=3)]
+CovarianceRow = Annotated[list[FiniteFloat], Field(min_length=6, max_length=6)]
+Matrix6 = Annotated[list[CovarianceRow], Field(min_length=6, max_length=6)]
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="ignore")
+
+
+class PosePart(_Part):
+    """A pose as the file has it."""
+
+    rotation: Matrix3
+    translation_m: Vector
+    covariance: Matrix6 | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> PosePart:
+        if not is_rotation(np.array(self.rotation)):
+            raise ValueError("rotation is not orthonormal and right-handed within 1e-4")
+        if self.covariance is not None:
+            covariance = np.array(self.covariance)
+            size = max(float(np.abs(covariance).max()), 1e-30)
+            if np.abs(covariance - covariance.T).max() > 1e-6 * size:
+                raise ValueError("covariance is not symmetric")
+            if np.linalg.eigvalsh(covariance).min() < -1e-6 * size:
+                raise ValueError("covariance has a negative variance")
+        return self
+
+    def pose(self) -> Pose:
+        """Return the pose, its rotation made exactly orthonormal."""
+        covariance = None if self.covariance is None else np.array(self.covariance, dtype=np.float64)
+        return Pose(nearest_rotation(np.array(self.rotation)), np.array(self.translation_m), covariance)
+
+
+class SurfacePart(_Part):
+    """A surface as the file has it."""
+
+    normal: UnitRow
+    offset_m: Metres
+    region: Annotated[list[Vector], Field(min_length=3, max_length=10_000)] | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> SurfacePart:
+        length = float(np.linalg.norm(self.normal))
+        if abs(length - 1.0) > 1e-3:
+            raise ValueError(f"normal has length {length:.4g}, not 1")
+        if self.offset_m == 0.0:
+            raise ValueError("the plane goes through the sensor itself")
+        return self
+
+    def surface(self) -> Surface:
+        """Return the surface, normal to the sensor's side, region laid on the plane."""
+        length = float(np.linalg.norm(self.normal))
+        plane = Plane(np.array(self.normal) / length, self.offset_m / length).facing(np.zeros(3))
+        return Surface(plane, None if self.region is None else plane.foot(np.array(self.region)))
+
+
+class CorrectionPart(_Part):
+    """A device's depth correction as the file has it."""
+
+    scale: Annotated[FiniteFloat, Field(gt=0.5, lt=2.0)] = 1.0
+    offset_m: Annotated[FiniteFloat, Field(gt=-0.5, lt=0.5)] = 0.0
+    radial: Annotated[list[FiniteFloat], Field(max_length=8)] = []
+
+
+class SensorPart(_Part):
+    """A sensor as the file has it."""
+
+    serial: str | None = None
+    pose: PosePart
+    surface: SurfacePart
+    clock_offset_s: FiniteFloat = 0.0
+    depth_correction: CorrectionPart | None = None
+    quality: dict[str, Any] = {}
+
+    def sensor(self) -> StationSensor:
+        """Return the record."""
+        part = self.depth_correction
+        correction = None if part is None else DepthCorrection(part.scale, part.offset_m, tuple(part.radial))
+        return StationSensor(
+            self.serial or "", self.pose.pose(), self.surface.surface(), self.clock_offset_s, correction, self.quality
+        )
+
+
+class BeltPart(_Part):
+    """The belt as the file has it."""
+
+    velocity_m_s: Vector | None = None
+
+
+class StationPart(_Part):
+    """The whole file."""
+
+    schema_: Literal["fruitgui.station/1"] = Field(alias="schema")
+    reference_sensor: str
+    sensors: Annotated[dict[str, SensorPart], Field(min_length=1, max_length=256)]
+    belt: BeltPart = BeltPart()
+    model: str | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> StationPart:
+        for name in self.sensors:
+            if not SENSOR_ID.fullmatch(name):
+                raise ValueError(f"sensor id {name[:80]!r} is not letters, digits and _ beginning with a letter")
+        reference = self.sensors.get(self.reference_sensor)
+        if reference is None:
+            raise ValueError(f"reference_sensor {self.reference_sensor[:80]!r} is not among the sensors")
+        identity = Pose()
+        pose = reference.pose.pose()
+        if np.abs(pose.matrix - identity.matrix).max() > 1e-3:
+            raise ValueError("the reference sensor's own pose is not the identity")
+        return self
+
+
+def read_station(path: Path) -> Station:
+    """Return the station in a file.
+
+    Raises:
+        InputError: unreadable, not JSON, another schema, or any field that cannot be; says which.
+    """
+    value = read_json(path)
+    if not isinstance(value, dict) or value.get("schema") != SCHEMA:
+        found = value.get("schema") if isinstance(value, dict) else None
+        raise InputError(
+            "bad_station", f"{path} is not a station of version {SCHEMA} (found {str(found)[:80]!r}).", REMEDY,
+            file=path, where="schema",
+        )  # fmt: skip
+    try:
+        part = StationPart.model_validate(value)
+    except ValidationError as error:
+        raise _bad_station(path, error) from error
+    sensors = {name: sensor.sensor() for name, sensor in part.sensors.items()}
+    velocity = None if part.belt.velocity_m_s is None else np.array(part.belt.velocity_m_s, dtype=np.float64)
+    return Station(part.reference_sensor, sensors, velocity, part.model)
+
+
+def _bad_station(path: Path, error: ValidationError) -> InputError:
+    first = error.errors(include_input=False, include_url=False)[0]
+    where = ".".join(str(step)[:80] for step in first["loc"]) or "top level"
+    message = first["msg"].removeprefix("Value error, ")
+    return InputError("bad_station", f"{path}: {where}: {message}.", REMEDY, file=path, where=where)
+
+
+def write_station(path: Path, station: Station) -> None:
+    """Write a station, whole or not at all.
+
+    Raises:
+        WorldError: it cannot be written there.
+    """
+    write_json(path, station_value(station))
+
+
+def station_value(station: Station) -> dict[str, Any]:
+    """Return the station as the JSON value of its file."""
+    return {
+        "schema": SCHEMA,
+        "reference_sensor": station.reference,
+        "sensors": {name: _sensor_value(sensor) for name, sensor in station.sensors.items()},
+        "belt": {"velocity_m_s": _list(station.velocity_m_s)},
+        "model": station.model,
+    }
+
+
+def _sensor_value(sensor: StationSensor) -> dict[str, Any]:
+    correction = sensor.depth_correction
+    return {
+        "serial": sensor.serial,
+        "pose": {
+            "rotation": _list(sensor.pose.rotation),
+            "translation_m": _list(sensor.pose.translation_m),
+            "covariance": _list(sensor.pose.covariance),
+        },
+        "surface": {
+            "normal": _list(sensor.surface.plane.normal),
+            "offset_m": float(sensor.surface.plane.offset_m),
+            "region": _list(sensor.surface.region_m),
+        },
+        "clock_offset_s": sensor.clock_offset_s,
+        "depth_correction": None
+        if correction is None
+        else {"scale": correction.scale, "offset_m": correction.offset_m, "radial": list(correction.radial)},
+        "quality": dict(sensor.quality),
+    }
+
+
+def _list(array: F64 | None) -> Any:  # noqa: ANN401 - nested lists of any depth
+    return None if array is None else np.asarray(array, dtype=np.float64).tolist()
