@@ -1,0 +1,49 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from fruitgui.errors import InputError
+from fruitgui.station.labels import read_labels
+
+HEADER = "sensor,time_s,u_px,v_px,kind,volume_ml"
+
+
+def written(tmp_path: Path, text: str) -> Path:
+    path = tmp_path / "l.csv"
+    path.write_bytes(text.encode())
+    return path
+
+
+def test_rows_are_read_with_and_without_the_optional_columns(tmp_path: Path) -> None:
+    path = written(tmp_path, HEADER + ",fruit,mass_g\r\nk1,1.5,10,20,limón,112.5,f1,120\r\nk2,2,3,4,lemon,,,\r\n")
+    first, second = read_labels(path).labels
+    assert (first.sensor, first.kind, first.volume_ml, first.fruit, first.mass_g) == ("k1", "limón", 112.5, "f1", 120.0)
+    assert (second.volume_ml, second.fruit, second.mass_g, second.line) == (None, None, None, 3)
+    assert [label.fruit for label in read_labels(written(tmp_path, HEADER + "\nk1,1,2,3,a,\n")).labels] == [None]
+
+
+def test_a_byte_order_mark_and_quotes_are_no_trouble(tmp_path: Path) -> None:
+    text = "\ufeff" + HEADER + '\nk1,1,2,3,"apple, red",\n'
+    assert read_labels(written(tmp_path, text)).labels[0].kind == "apple, red"
+
+
+@pytest.mark.parametrize(
+    "row",
+    ["k1,x,2,3,a,", "k1,nan,2,3,a,", "k1,1,inf,3,a,", "k1,1,2,3,,", ",1,2,3,a,", "k1,1,2,3,a,-4", "k1,1,2,3,a,much",
+     "k1,1", "k1,1,2,3," + "a" * 65 + ",", "k1,1,2,3,a\x07,"],
+)  # fmt: skip
+def test_a_row_that_cannot_be_is_left_out_with_its_line(tmp_path: Path, row: str) -> None:
+    read = read_labels(written(tmp_path, f"{HEADER}\nk1,1,2,3,a,\n{row}\n"))
+    assert len(read.labels) == 1
+    assert "line 3" in read.warnings[0]
+    with pytest.raises(InputError):
+        read_labels(written(tmp_path, f"{HEADER}\n{row}\n"))
+
+
+@pytest.mark.parametrize("text", ["", "sensor,time_s\n1,2\n", HEADER, "\0\0\0", '"' + "x" * 200_000])
+def test_a_file_that_is_no_labels_file_is_refused(tmp_path: Path, text: str) -> None:
+    with pytest.raises(InputError) as caught:
+        read_labels(written(tmp_path, text))
+    assert caught.value.file
