@@ -70,8 +70,12 @@ class Rig:
     mounts: Mapping[str, Mount]
 
     def belt(self) -> Plane:
-        """Return the belt's plane in the reference frame, as the reference sensor sees it."""
-        return self.mounts[self.reference].surface.plane
+        """Return the belt's plane in the reference frame, as the reference sensor sees it (the first one, where it is absent)."""
+        mount = self.mounts.get(self.reference)
+        if mount is not None:
+            return mount.surface.plane
+        mount = next(iter(self.mounts.values()))
+        return mount.surface.plane.mapped(mount.pose)
 
     def belt_frame(self) -> Pose:
         """Return the pose from the reference frame into one on the belt: z up from the belt, z = 0 on it."""
