@@ -1,1 +1,1 @@
-"""What kind a fruit is: samples, the network, its training and its honest evaluation."""
+"""The evidence of a fruit in, its kind out; and how a model of kinds is trained and honestly judged."""

@@ -1,0 +1,149 @@
+"""From the scores of one fruit to its kind, or to `unknown`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from fruitgui.classification.evidence import UNKNOWN, KindVote
+from fruitgui.classification.network import log_softmax
+from fruitgui.frame import F64, Ints
+
+_PROMISE = 0.002
+"""Share of trained fruit that the threshold may reject by the distribution of their held-out distances."""
+
+_FOREIGN_SHARE = 0.05
+"""Share of the known strangers that the threshold may let through."""
+
+_REACH = 0.35
+"""Where the threshold lies between the last trained fruit and the first stranger, where there is room."""
+
+_FARTHEST = 2.0
+"""The threshold goes no farther out than this many times the distance that trained fruit need."""
+
+_STEEPNESS = 1.5
+_VIEW_WEIGHTS = np.geomspace(0.05, 8.0, 23)
+_FRUIT_WEIGHTS = np.concatenate([[0.0], np.geomspace(0.005, 1.0, 22)])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scores:
+    """What the parts of a model say of one fruit.
+
+    Attributes:
+        views: (K,) mean over its views of the perceptron's log-probabilities.
+        fruit: (K,) log-density of the whole fruit.
+        distances: (A, K) squared distance per axis, for each set of axes.
+        stranger: log-density of the nearest fruit labelled unknown; −inf without any.
+    """
+
+    views: F64
+    fruit: F64
+    distances: F64
+    stranger: float = -math.inf
+
+
+@dataclass(frozen=True, slots=True)
+class Weighing:
+    """How much the perceptron and the density count: the logarithm of a kind's odds is their weighted sum.
+
+    Views of one fruit are not independent, so their log-probabilities are averaged, not added; the weight is the
+    (inverse) temperature that makes the probabilities come true on fruit held out.
+    """
+
+    views: float
+    fruit: float
+
+    def log_probabilities(self, scores: Scores) -> F64:
+        """Return (K,)."""
+        return log_softmax(self.views * scores.views + self.fruit * scores.fruit)
+
+
+def fit_weighing(scores: Sequence[Scores], kinds: Ints) -> Weighing:
+    """Return the weights under which the held-out fruit are most probable.
+
+    The truth is softened by one part in N + 2 (Platt 1999): without a mistake among N fruit, certainty is not proven.
+    """
+    if len(scores) == 0 or len(scores[0].views) < 2:
+        return Weighing(1.0, 0.0)
+    views, fruit = np.array([s.views for s in scores]), np.array([s.fruit for s in scores])
+    soft = 1.0 / (len(scores) + 2.0)
+    truth = np.full(views.shape, soft / (views.shape[1] - 1))
+    truth[np.arange(len(kinds)), kinds] = 1.0 - soft
+    best, found = math.inf, Weighing(1.0, 0.0)
+    for a in _VIEW_WEIGHTS:
+        logits = a * views + _FRUIT_WEIGHTS[:, None, None] * fruit
+        losses = -(truth * log_softmax(logits)).sum(axis=2).mean(axis=1)
+        at = int(losses.argmin())
+        if losses[at] < best:
+            best, found = float(losses[at]), Weighing(float(a), float(_FRUIT_WEIGHTS[at]))
+    return found
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Novelty:
+    """When a fruit is too far from its kind to be of it.
+
+    The cube root of a squared distance is nearly normal (Wilson & Hilferty 1931), so few held-out fruit suffice to
+    say where the rare ones lie. Each set of axes has its own centre and spread, and the worst set decides: what
+    differs in colour alone is not hidden by all the shape that fits.
+
+    Attributes:
+        centres: (A,) of the cube roots of trained fruit's distances.
+        spreads: (A,) of the same.
+        threshold: standardised distance beyond which a fruit is unknown, > 0.
+    """
+
+    centres: F64
+    spreads: F64
+    threshold: float
+
+    def score(self, distances: F64) -> float:
+        """Return the distance as a share of the threshold, from squared distances (A,)."""
+        return max(0.0, float(_worst(self.centres, self.spreads, distances[None, :])[0]) / self.threshold)
+
+
+def fit_novelty(own: F64, foreign: F64) -> Novelty:
+    """Return the threshold that keeps trained fruit and, where there is room, keeps strangers out.
+
+    Args:
+        own: (N, A) distances of held-out fruit to their own kind.
+        foreign: (M, A) distances of strangers to the nearest kind: kinds left out of training, things labelled unknown.
+    """
+    from scipy.stats import t as student
+
+    roots = np.cbrt(own)
+    centres = np.median(roots, axis=0)
+    upper = np.sqrt(np.mean(np.maximum(roots - centres, 0.0) ** 2, axis=0) * 2.0)
+    spreads = np.maximum(np.maximum(upper, roots.std(axis=0)), 0.02 * np.maximum(centres, 0.1))
+    worst = _worst(centres, spreads, own)
+    count = len(worst)
+    reach = float(student.ppf(1.0 - _PROMISE, max(count - 1, 2))) * math.sqrt(1.0 + 1.0 / count)
+    needed = max(float(np.mean(worst) + reach * max(np.std(worst), 0.5)), 2.5)
+    if len(foreign) == 0:
+        return Novelty(centres, spreads, needed)
+    stranger = float(np.quantile(_worst(centres, spreads, foreign), _FOREIGN_SHARE))
+    threshold = needed + _REACH * max(0.0, stranger - needed)
+    return Novelty(centres, spreads, min(threshold, _FARTHEST * needed))
+
+
+def _worst(centres: F64, spreads: F64, distances: F64) -> F64:
+    return np.asarray(((np.cbrt(distances) - centres) / spreads).max(axis=1))
+
+
+def decide(kinds: tuple[str, ...], scores: Scores, weighing: Weighing, novelty: Novelty) -> KindVote:
+    """Return the kind of one fruit: the most probable one, unless the fruit is too far from it."""
+    logs = weighing.log_probabilities(scores)
+    best = int(logs.argmax())
+    score = novelty.score(scores.distances[:, best])
+    if scores.stranger > scores.fruit[best]:
+        score = max(score, 1.0 + min((scores.stranger - scores.fruit[best]) / 10.0, 1.0))
+    excess = float(np.clip(_STEEPNESS * novelty.threshold * (score - 1.0), -50.0, 50.0))
+    unknown = 1.0 / (1.0 + math.exp(-excess))
+    probabilities = {kind: float((1.0 - unknown) * np.exp(log)) for kind, log in zip(kinds, logs, strict=True)}
+    probabilities[UNKNOWN] = unknown
+    kind = UNKNOWN if score > 1.0 else kinds[best]
+    return KindVote(kind, probabilities[kind], probabilities, score)

@@ -1,0 +1,170 @@
+"""Where the fruit of each kind lie: one broad normal density per kind, over the features of a whole fruit.
+
+It serves twice: its distances say whether a fruit is like any trained kind at all, and its log-density is a second
+opinion on the kind beside the perceptron's, which knows the fused size.
+
+A dozen fruit cannot teach a covariance of fifty features. So: the covariance within kinds is pooled over all
+kinds and shrunk (Ledoit & Wolf 2004); each kind's own is drawn towards the pooled one as if that had been seen on
+`strength` fruit (the conjugate prior of a normal's covariance); the mean of n fruit is itself uncertain by a share
+1/n; and a fruit seen in fewer views than usual is less certain by the spread between views.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from fruitgui.classification.evidence import Evidence, FeatureNames
+from fruitgui.classification.nature import by_ratio, sizes
+from fruitgui.frame import F64, Ints
+
+_PRIOR_FRUIT = 3.0
+"""The weight of the first guess on the spread within kinds, in fruit."""
+
+_PRIOR_SHARE = 0.3
+"""First guess on the spread within kinds, as a share of the spread over all fruit."""
+
+_LEAST_SPREAD = 1e-3
+"""Least spread within kinds as a share of the spread over all fruit: no feature decides everything alone."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FruitVectors:
+    """Fruit as points: the mean of its views' features, then its fused features.
+
+    Attributes:
+        points: (N, D) features by ratio (sizes as logarithms); NaN where not measured.
+        spreads: (N, D, D) covariance of one view about its fruit, zero for fused features.
+        views: (N,) number of views.
+    """
+
+    points: F64
+    spreads: F64
+    views: F64
+
+    def take(self, rows: Ints) -> FruitVectors:
+        """Return the chosen fruit."""
+        return FruitVectors(self.points[rows], self.spreads[rows], self.views[rows])
+
+
+def fruit_vectors(evidence: list[Evidence], names: FeatureNames) -> FruitVectors:
+    """Return the fruit as points. Views count alike; the median of many would jump between a fruit's two faces."""
+    view_sizes, fruit_sizes = sizes(names.view), sizes(names.fruit)
+    width, depth = len(names.view), len(names.view) + len(names.fruit)
+    points, spreads = np.empty((len(evidence), depth)), np.zeros((len(evidence), depth, depth))
+    for row, one in enumerate(evidence):
+        views = by_ratio(one.view_features, view_sizes)
+        points[row, :width] = views.mean(axis=0)
+        points[row, width:] = by_ratio(one.fruit_features, fruit_sizes)
+        if len(views) > 1:
+            spreads[row, :width, :width] = np.cov(views, rowvar=False).reshape(width, width)
+    return FruitVectors(points, spreads, np.array([one.views for one in evidence], dtype=float))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Density:
+    """The fitted densities. Every array is in units of `unit`.
+
+    Attributes:
+        unit: (D,) spread of each feature within a kind.
+        means: (K, D).
+        covariances: (K, D, D) between fruit of a kind.
+        counts: (K,) fruit that taught each kind.
+        view_spread: (D, D) covariance of one view about its fruit.
+        views: views of a usual fruit.
+        strength: fruit that the pooled covariance counts for in each kind's own.
+    """
+
+    unit: F64
+    means: F64
+    covariances: F64
+    counts: F64
+    view_spread: F64
+    views: float
+    strength: float
+
+    def judge(self, point: F64, views: float, axes: Ints) -> tuple[F64, F64]:
+        """Return squared distance per axis (K,) and log-density (K,) of one fruit, over `axes` that were measured.
+
+        The distance is squared Mahalanobis divided by the number of axes, about 1 for fruit of the kind. The
+        log-density is Student's t with the degrees of freedom that the covariance rests on.
+        """
+        seen = axes[np.isfinite(point[axes])]
+        if len(seen) == 0:
+            return np.zeros(len(self.means)), np.zeros(len(self.means))
+        square = np.ix_(seen, seen)
+        fewer = max(0.0, views**-0.5 - self.views**-0.5)
+        distances, densities = np.empty(len(self.means)), np.empty(len(self.means))
+        for kind, (mean, covariance, count) in enumerate(zip(self.means, self.covariances, self.counts, strict=True)):
+            spread = covariance[square] * (1.0 + 1.0 / count) + fewer * self.view_spread[square]
+            factor = np.linalg.cholesky(spread)
+            squared = float(np.sum(np.linalg.solve(factor, point[seen] / self.unit[seen] - mean[seen]) ** 2))
+            freedom = self.strength + count
+            distances[kind] = squared / len(seen)
+            densities[kind] = -0.5 * (freedom + len(seen)) * np.log1p(squared / freedom) - np.log(np.diag(factor)).sum()
+        return distances, densities
+
+
+def fit_density(fruit: FruitVectors, kinds: Ints, count: int, strength: float, nuisance: F64) -> Density:
+    """Return the densities of `count` kinds, each with at least one fruit.
+
+    Args:
+        fruit: the fruit.
+        kinds: (N,) number of each fruit's kind.
+        count: K.
+        strength: see `Density`.
+        nuisance: (D, D) covariance added to every kind's: what the light may change that training did not show.
+    """
+    points = _filled(fruit.points, kinds, count)
+    means = np.array([points[kinds == kind].mean(axis=0) for kind in range(count)])
+    counts = np.bincount(kinds, minlength=count).astype(float)
+    residuals = points - means[kinds]
+    freedom = len(points) - count
+    view_spread = fruit.spreads.mean(axis=0)
+    variance, unit = _within(points, residuals, freedom, view_spread)
+    view_spread = view_spread / np.outer(unit, unit)
+    pooled = _pooled(residuals / unit, freedom, variance / unit**2)
+    nuisance = nuisance / np.outer(unit, unit)
+    covariances = np.empty((count, *pooled.shape))
+    for kind in range(count):
+        own = residuals[kinds == kind] / unit
+        covariances[kind] = (strength * pooled + own.T @ own) / (strength + max(counts[kind] - 1.0, 0.0)) + nuisance
+    return Density(unit, means / unit, covariances, counts, view_spread, float(np.median(fruit.views)), strength)
+
+
+def _filled(points: F64, kinds: Ints, count: int) -> F64:
+    """Return the points with what was not measured replaced by the mean of its kind, of all, or by nought."""
+    filled = points.copy()
+    for kind in range(count):
+        rows = filled[kinds == kind]
+        filled[kinds == kind] = np.where(np.isnan(rows), _mean(rows), rows)
+    filled = np.where(np.isnan(filled), _mean(filled), filled)
+    return np.nan_to_num(filled, nan=0.0)
+
+
+def _mean(rows: F64) -> F64:
+    seen = np.isfinite(rows)
+    total = np.where(seen, rows, 0.0).sum(axis=0)
+    return np.asarray(np.where(seen.any(axis=0), total / np.maximum(seen.sum(axis=0), 1), np.nan))
+
+
+def _within(points: F64, residuals: F64, freedom: int, view_spread: F64) -> tuple[F64, F64]:
+    """Return the first guess on the variance within kinds, and the unit of each axis."""
+    total = points.var(axis=0)
+    guess = np.maximum(_PRIOR_SHARE**2 * total, np.diag(view_spread))
+    variance = ((residuals**2).sum(axis=0) + _PRIOR_FRUIT * guess) / (max(freedom, 0) + _PRIOR_FRUIT)
+    least = np.maximum(_LEAST_SPREAD**2 * total, 1e-12 * (1.0 + (points**2).mean(axis=0)))
+    unit = np.sqrt(np.maximum(variance, least))
+    return np.maximum(guess, least), unit
+
+
+def _pooled(residuals: F64, freedom: int, guess: F64) -> F64:
+    """Return the covariance within kinds: shrunk, and mixed with the first guess."""
+    if freedom < 1:
+        return np.diag(guess)
+    from sklearn.covariance import ledoit_wolf
+
+    shrunk, _ = ledoit_wolf(residuals, assume_centered=True)
+    shrunk = shrunk * (len(residuals) / freedom)
+    return np.asarray((freedom * shrunk + _PRIOR_FRUIT * np.diag(guess)) / (freedom + _PRIOR_FRUIT))

@@ -1,0 +1,151 @@
+"""From labelled fruit to the parts of a model: standardising, drawing rows for the perceptron, densities."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from fruitgui.classification.density import Density, FruitVectors, fit_density, fruit_vectors
+from fruitgui.classification.evidence import Evidence, FeatureNames
+from fruitgui.classification.model import Core
+from fruitgui.classification.nature import Nature, by_ratio, natures, sizes
+from fruitgui.classification.network import fit_network
+from fruitgui.frame import F64, Ints
+from fruitgui.progress import Cancelled, never_cancelled
+
+LIGHT_SPREAD = 1.0
+"""Standard deviation of the logarithm of brightness that a station must live with: 100–1000 lx spans ±1.15."""
+
+_EPOCHS = 50
+_ROWS = 1024
+_JITTER = 0.5
+_VIEWS = 40
+"""Views per fruit that the perceptron is shown; more of one fruit teach nothing new."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FruitSet:
+    """Fruit ready for fitting.
+
+    Attributes:
+        names: of the features.
+        views: one (n, F) array per fruit, sizes as logarithms, at most 40 rows each.
+        vectors: the fruit as points.
+        kinds: (N,) number of each fruit's kind.
+        count: how many kinds there are.
+    """
+
+    names: FeatureNames
+    views: tuple[F64, ...]
+    vectors: FruitVectors
+    kinds: Ints
+    count: int
+
+    def take(self, rows: Ints) -> FruitSet:
+        """Return the chosen fruit; the kinds stay numbered as they are."""
+        return FruitSet(
+            self.names, tuple(self.views[row] for row in rows), self.vectors.take(rows), self.kinds[rows], self.count
+        )
+
+    def without(self, kind: int) -> FruitSet:
+        """Return the fruit of all other kinds, numbered without a gap."""
+        left = self.take(np.flatnonzero(self.kinds != kind))
+        renumbered = left.kinds - (left.kinds > kind)
+        return FruitSet(self.names, left.views, left.vectors, renumbered, self.count - 1)
+
+
+def fruit_set(evidence: list[Evidence], kinds: Ints, count: int, names: FeatureNames) -> FruitSet:
+    """Return the fruit of `count` kinds, ready for fitting."""
+    are_sizes = sizes(names.view)
+    views = tuple(_thinned(by_ratio(one.view_features, are_sizes)) for one in evidence)
+    return FruitSet(names, views, fruit_vectors(evidence, names), kinds, count)
+
+
+def _thinned(views: F64) -> F64:
+    if len(views) <= _VIEWS:
+        return views
+    return np.asarray(views[np.linspace(0, len(views) - 1, _VIEWS).round().astype(int)])
+
+
+def light_covariance(names: FeatureNames) -> F64:
+    """Return what unknown light adds to the covariance of whole fruit (D, D): all light features move together."""
+    moved = np.array([what is Nature.LIGHT for what in natures(names)], dtype=float)
+    return LIGHT_SPREAD**2 * np.outer(moved, moved)
+
+
+def fit_densities(fruit: FruitSet, strength: float) -> Density:
+    """Return the densities of the kinds."""
+    return fit_density(fruit.vectors, fruit.kinds, fruit.count, strength, light_covariance(fruit.names))
+
+
+def fit_core(
+    fruit: FruitSet,
+    strength: float,
+    strangers: FruitVectors | None,
+    random: np.random.Generator,
+    cancelled: Cancelled = never_cancelled,
+) -> Core:
+    """Return the parts of a model, fitted to the fruit. Every kind has at least one.
+
+    Raises:
+        CancelledByUserError: `cancelled` said so.
+    """
+    density = fit_densities(fruit, strength)
+    rows = np.concatenate(fruit.views)
+    centre = rows.mean(axis=0)
+    unit = np.maximum(rows.std(axis=0), 1e-6 * (1.0 + np.abs(centre)))
+    drawer = _Drawer(fruit, centre, unit, density)
+    network = fit_network(drawer.draw, fruit.count, _EPOCHS, random, cancelled=cancelled)
+    return Core(fruit.names, centre, unit, network, density, around(density, strangers))
+
+
+def around(density: Density, strangers: FruitVectors | None) -> Density | None:
+    """Return a density around each stranger, as wide as those of the kinds are on average."""
+    if strangers is None or len(strangers.points) == 0:
+        return None
+    means = np.nan_to_num(strangers.points / density.unit, nan=0.0)
+    width = np.broadcast_to(density.covariances.mean(axis=0), (len(means), *density.covariances.shape[1:]))
+    return Density(
+        density.unit, means, width, np.ones(len(means)), density.view_spread, density.views, density.strength
+    )
+
+
+class _Drawer:
+    """Draws rows for one epoch: kinds alike, fruit of a kind alike, views of a fruit alike.
+
+    A row is a view moved as other fruit of its kind differ from this one (half as far, in both directions), and as
+    brighter or darker light would move it: a few fruit stand for the many that are to come.
+    """
+
+    def __init__(self, fruit: FruitSet, centre: F64, unit: F64, density: Density) -> None:
+        self._rows = (np.concatenate(fruit.views) - centre) / unit
+        self._lengths = np.array([len(views) for views in fruit.views])
+        self._starts = np.concatenate([[0], np.cumsum(self._lengths)[:-1]])
+        self._members = [np.flatnonzero(fruit.kinds == kind) for kind in range(fruit.count)]
+        width = len(centre)
+        scale = density.unit[:width] / unit
+        light = np.array([what is Nature.LIGHT for what in natures(fruit.names)[:width]], dtype=float)
+        self._light = LIGHT_SPREAD * light / unit
+        blocks = density.covariances[:, :width, :width] * np.outer(scale, scale)
+        blocks = blocks - np.outer(self._light, self._light)
+        self._moves = [_root(block) * _JITTER for block in blocks]
+
+    def draw(self, random: np.random.Generator) -> tuple[F64, Ints]:
+        """Return (1024, F) rows and the number of the kind of each."""
+        kinds = np.arange(_ROWS) % len(self._members)
+        rows = np.empty((_ROWS, self._rows.shape[1]))
+        for kind, members in enumerate(self._members):
+            at = np.flatnonzero(kinds == kind)
+            chosen = random.choice(members, len(at))
+            views = self._starts[chosen] + (random.random(len(at)) * self._lengths[chosen]).astype(np.intp)
+            rows[at] = self._rows[views] + random.standard_normal((len(at), rows.shape[1])) @ self._moves[kind].T
+        rows += random.standard_normal((_ROWS, 1)) * self._light
+        order = random.permutation(_ROWS)
+        return np.clip(rows[order], -10.0, 10.0), kinds[order]
+
+
+def _root(covariance: F64) -> F64:
+    """Return a matrix whose square is the covariance, negative eigenvalues taken as nought."""
+    values, vectors = np.linalg.eigh(covariance)
+    return np.asarray(vectors * np.sqrt(np.maximum(values, 0.0)))

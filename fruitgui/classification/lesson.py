@@ -1,0 +1,50 @@
+"""Labelled fruit, checked and sorted for training."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from fruitgui.classification.evidence import UNKNOWN, FeatureNames, LabelledFruit
+from fruitgui.classification.kinds import checked_kinds
+from fruitgui.classification.model import check_width
+from fruitgui.errors import InputError
+from fruitgui.frame import Ints
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Lesson:
+    """Labelled fruit sorted for training.
+
+    Attributes:
+        kinds: the kinds, in alphabetical order.
+        fruit: those of trained kinds.
+        numbers: (N,) number of each one's kind.
+        strangers: fruit labelled unknown.
+    """
+
+    kinds: tuple[str, ...]
+    fruit: tuple[LabelledFruit, ...]
+    numbers: Ints
+    strangers: tuple[LabelledFruit, ...]
+
+
+def lesson(fruits: Sequence[LabelledFruit], names: FeatureNames) -> Lesson:
+    """Sort labelled fruit for training.
+
+    Raises:
+        InputError: no fruit of a kind, other features than the names say, one fruit twice, or kinds that cannot be.
+    """
+    known = tuple(one for one in fruits if one.kind != UNKNOWN)
+    if not known:
+        raise InputError("no_labels", "There is no labelled fruit to train on.", "Give some fruit their kind.")
+    for one in fruits:
+        check_width(one.evidence, names)
+    if len({(one.source, one.fruit_id) for one in fruits}) < len(fruits):
+        raise InputError("fruit_twice", "One fruit is listed twice.", "Give each fruit one id and one kind.")
+    kinds = checked_kinds(sorted({one.kind for one in known}))
+    numbers = np.array([kinds.index(one.kind) for one in known], dtype=np.intp)
+    strangers = tuple(one for one in fruits if one.kind == UNKNOWN)
+    return Lesson(kinds, known, numbers, strangers)

@@ -1,0 +1,114 @@
+"""From labelled fruit to a model, and an honest word on how good it is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from fruitgui.classification.account import CurvePoint, Training, account
+from fruitgui.classification.confusion import Judged
+from fruitgui.classification.decision import decide
+from fruitgui.classification.density import FruitVectors, fruit_vectors
+from fruitgui.classification.evidence import FeatureNames, LabelledFruit
+from fruitgui.classification.fitting import FruitSet, fit_core, fruit_set
+from fruitgui.classification.held_out import FOLDS, HeldOut, choose_strength, deal, hold_out
+from fruitgui.classification.intervals import rate
+from fruitgui.classification.lesson import Lesson, lesson
+from fruitgui.classification.model import KindModel
+from fruitgui.frame import Ints
+from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+
+_CURVE_SHARES = (0.25, 0.5)
+_CURVE_FOLDS = 2
+_MOST_STRANGERS = 200
+
+
+def train(
+    fruits: Sequence[LabelledFruit],
+    names: FeatureNames,
+    seed: int = 0,
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+) -> Training[KindModel]:
+    """Return a model of the kinds, with what is known about it. The same input and seed give the same model.
+
+    Raises:
+        InputError: see `lesson`.
+        CancelledByUserError: `cancelled` said so.
+    """
+    taught = lesson(fruits, names)
+    random = np.random.default_rng(seed)
+    evidence = [one.evidence for one in taught.fruit]
+    fruit = fruit_set(evidence, taught.numbers, len(taught.kinds), names)
+    strangers = _strangers(taught, names, random)
+    fold = deal(taught.numbers, random)
+    progress(0.0, "Choosing how much kinds share")
+    strength = choose_strength(fruit, fold)
+    stop_if(cancelled)
+
+    def told(share: float) -> None:
+        progress(0.1 + 0.5 * share, "Judging fruit that training did not see")
+
+    held = hold_out(fruit, evidence, fold, strength, strangers, random, cancelled, told)
+    progress(0.6, "Training on all fruit")
+    core = fit_core(fruit, strength, strangers, random, cancelled)
+    model = KindModel(taught.kinds, core, *held.fit(np.arange(len(held.rows))))
+    progress(0.7, "Finding out whether more fruit would help")
+    curve = _curve(fruit, taught, fold, model, strength, random, cancelled)
+    progress(1.0, "Trained")
+    return account(model, taught.kinds, fruits, _judged(taught, held), curve)
+
+
+def _strangers(taught: Lesson, names: FeatureNames, random: np.random.Generator) -> FruitVectors | None:
+    if not taught.strangers:
+        return None
+    vectors = fruit_vectors([one.evidence for one in taught.strangers], names)
+    if len(taught.strangers) <= _MOST_STRANGERS:
+        return vectors
+    return vectors.take(np.sort(random.choice(len(taught.strangers), _MOST_STRANGERS, replace=False)))
+
+
+def _judged(taught: Lesson, held: HeldOut) -> list[Judged]:
+    """Return the held-out fruit with their votes, in the order given; each fold weighed by the other folds."""
+    votes: dict[int, Judged] = {}
+    for fold in range(FOLDS):
+        rows = np.flatnonzero(held.fold == fold)
+        weighing, novelty = held.fit(np.flatnonzero(held.fold != fold))
+        for row in rows:
+            vote = decide(taught.kinds, held.scores[row], weighing, novelty)
+            votes[int(held.rows[row])] = Judged(taught.fruit[held.rows[row]], vote)
+    return [votes[row] for row in sorted(votes)]
+
+
+def _curve(
+    fruit: FruitSet,
+    taught: Lesson,
+    fold: Ints,
+    model: KindModel,
+    strength: float,
+    random: np.random.Generator,
+    cancelled: Cancelled,
+) -> list[CurvePoint]:
+    """Return how many held-out fruit get their kind when training has a share of the others."""
+    points: list[CurvePoint] = []
+    for share in _CURVE_SHARES:
+        right = trials = size = 0
+        for one in range(_CURVE_FOLDS):
+            kept = _share(taught.numbers, np.flatnonzero(fold != one), share)
+            core = fit_core(fruit.take(kept), strength, None, random, cancelled)
+            smaller = KindModel(model.kinds, core, model.weighing, model.novelty)
+            out = [taught.fruit[row] for row in np.flatnonzero(fold == one)]
+            right += sum(smaller.vote(each.evidence).kind == each.kind for each in out)
+            trials, size = trials + len(out), max(size, len(kept))
+        points.append(CurvePoint(size, rate(right, trials)))
+    return points
+
+
+def _share(numbers: Ints, rows: Ints, share: float) -> Ints:
+    """Return the first `share` of each kind's rows, at least one of each."""
+    kept = [
+        rows[numbers[rows] == kind][: max(1, round(share * int((numbers[rows] == kind).sum())))]
+        for kind in np.unique(numbers[rows])
+    ]
+    return np.sort(np.concatenate(kept))
