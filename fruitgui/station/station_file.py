@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -90,7 +91,8 @@ class CorrectionPart(_Part):
 
     scale: Annotated[FiniteFloat, Field(gt=0.5, lt=2.0)] = 1.0
     offset_m: Annotated[FiniteFloat, Field(gt=-0.5, lt=0.5)] = 0.0
-    radial: Annotated[list[FiniteFloat], Field(max_length=8)] = []
+    radial_2: Annotated[FiniteFloat, Field(gt=-1.0, lt=1.0)] = 0.0
+    radial_4: Annotated[FiniteFloat, Field(gt=-1.0, lt=1.0)] = 0.0
 
 
 class SensorPart(_Part):
@@ -106,7 +108,7 @@ class SensorPart(_Part):
     def sensor(self) -> StationSensor:
         """Return the record."""
         part = self.depth_correction
-        correction = None if part is None else DepthCorrection(part.scale, part.offset_m, tuple(part.radial))
+        correction = None if part is None else DepthCorrection(**part.model_dump())
         return StationSensor(
             self.serial or "", self.pose.pose(), self.surface.surface(), self.clock_offset_s, correction, self.quality
         )
@@ -206,9 +208,7 @@ def _sensor_value(sensor: StationSensor) -> dict[str, Any]:
             "region": _list(sensor.surface.region_m),
         },
         "clock_offset_s": sensor.clock_offset_s,
-        "depth_correction": None
-        if correction is None
-        else {"scale": correction.scale, "offset_m": correction.offset_m, "radial": list(correction.radial)},
+        "depth_correction": None if correction is None else asdict(correction),
         "quality": dict(sensor.quality),
     }
 

@@ -46,7 +46,7 @@ def test_a_station_comes_back_as_it_was_written(tmp_path: Path) -> None:
     rotation = rotation_from_vector(np.array([0.3, -2.0, 0.7]))
     pose = Pose(rotation, np.array([0.1, 1.4, 1.1]), np.diag([1e-6, 2e-6, 3e-6, 1e-7, 2e-7, 3e-7]))
     plane = Plane(np.array([0.0, 0.6, -0.8]), 0.9)
-    correction = DepthCorrection(1.004, -0.002, (0.001,))
+    correction = DepthCorrection(1.004, -0.002, 0.001, -0.0005)
     sensors = {
         "left": StationSensor("B1", Pose.exact(), Surface(plane)),
         "right": StationSensor("B2", pose, Surface(plane, plane.foot(np.array(REGION))), 0.25, correction, {"w": 1}),

@@ -1,0 +1,43 @@
+from __future__ import annotations
+
+import stat
+from pathlib import Path
+
+import pytest
+
+from fruitgui.errors import InputError, WorldError
+from fruitgui.files import read_json, written_whole
+
+
+def test_a_failure_in_the_middle_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> None:
+    path = tmp_path / "a.json"
+    path.write_text("old")
+    with pytest.raises(ZeroDivisionError), written_whole(path) as beside:  # noqa: PT012
+        beside.write_text("half")
+        raise ZeroDivisionError
+    assert path.read_text() == "old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_whole_file_replaces_the_old_one_with_usual_rights(tmp_path: Path) -> None:
+    path = tmp_path / "a.json"
+    other = tmp_path / "b"
+    other.write_text("x")
+    with written_whole(path) as beside:
+        beside.write_text("new")
+    assert path.read_text() == "new"
+    assert stat.S_IMODE(path.stat().st_mode) == stat.S_IMODE(other.stat().st_mode)
+
+
+def test_a_missing_folder_is_said_plainly(tmp_path: Path) -> None:
+    with pytest.raises(WorldError) as caught, written_whole(tmp_path / "no" / "a"):
+        pass
+    assert caught.value.file
+
+
+def test_json_errors_name_line_and_column(tmp_path: Path) -> None:
+    path = tmp_path / "a.json"
+    path.write_text('{\n  "a": ]\n}')
+    with pytest.raises(InputError) as caught:
+        read_json(path)
+    assert caught.value.where == "line 2, column 8"
