@@ -1,1 +1,4 @@
 """One frame in, the fruit that one sensor saw in it out."""
+
+from fruitgui.perception.perceiver import Perceiver as Perceiver
+from fruitgui.perception.settings import PerceptionSettings as PerceptionSettings

@@ -1,0 +1,238 @@
+"""Touching fruit taken apart by their tops: two fruit have two tops with a valley between them.
+
+Fruit that touch on a belt meet at a crease, however convex their common outline
+is; a pear, a banana, an apple with its dimple do not: from any of their tops a
+way leads to any other that hardly descends. So a group is split where the way
+between two tops dips by a good part of the lower top's height (its topographic
+prominence). Where one fruit hides the foot of another there is no valley to be
+seen but a jump in depth; jumps are dug into the height map as moats.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import cv2
+import numpy as np
+
+from fruitgui.frame import F32, F64, U8, U16, Bools, Ints
+from fruitgui.perception.limits import DepthLimits
+from fruitgui.perception.segment import MOST_GROUPS, Groups
+from fruitgui.perception.settings import PerceptionSettings
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Parts:
+    """The fruit of a frame, after splitting; N of them.
+
+    Attributes:
+        labels: (h, w) uint8 of the crop; fruit i carries i + 1.
+        contours: N outlines (K, 1, 2) int32, crop pixels.
+        group: (N,) the group that each came from.
+        shared: (N,) whether its group was split.
+    """
+
+    labels: U8
+    contours: tuple[np.ndarray, ...]
+    group: Ints
+    shared: Bools
+
+
+class Splitter(Protocol):
+    """One way of taking groups apart."""
+
+    def __call__(self, groups: Groups, depth_mm: U16) -> Parts:
+        """Return the fruit in the groups of a depth image (height, width)."""
+
+
+def unsplit(groups: Groups) -> Parts:
+    """Return every group as one fruit."""
+    count = len(groups.contours)
+    return Parts(groups.labels, groups.contours, np.arange(count), np.zeros(count, bool))
+
+
+def with_parts(groups: Groups, cuts: dict[int, U8], least_px: float) -> Parts:
+    """Return the fruit when some groups are cut.
+
+    Args:
+        groups: as segmented.
+        cuts: for a group, its parts: uint8 over the group's bounding box, 1 … K on the group's pixels.
+        least_px: parts with fewer pixels are dropped from the list.
+    """
+    labels = groups.labels.copy()
+    contours, origin, shared = [], [], []
+    for number, contour in enumerate(groups.contours):
+        if number not in cuts:
+            contours.append(contour)
+            origin.append(number)
+            shared.append(False)
+            continue
+        for part in _part_contours(contour, cuts[number], least_px):
+            contours.append(part)
+            origin.append(number)
+            shared.append(True)
+    contours, origin, shared = contours[:MOST_GROUPS], origin[:MOST_GROUPS], shared[:MOST_GROUPS]
+    labels[:] = 0
+    for number, contour in enumerate(contours):
+        cv2.drawContours(labels, [contour], 0, number + 1, cv2.FILLED)
+    return Parts(labels, tuple(contours), np.array(origin, dtype=np.intp), np.array(shared, dtype=bool))
+
+
+def _part_contours(group: np.ndarray, parts: U8, least_px: float) -> list[np.ndarray]:
+    left, top = group[:, 0, :].min(axis=0)
+    found = []
+    for part in range(1, int(parts.max()) + 1):
+        outlines, _ = cv2.findContours(
+            cv2.compare(parts, part, cv2.CMP_EQ), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE, offset=(int(left), int(top))
+        )
+        largest = max(outlines, key=cv2.contourArea, default=None)
+        if largest is not None and len(largest) >= 8 and cv2.contourArea(largest) >= least_px:
+            found.append(largest)
+    return found
+
+
+class HeightSplitter:
+    """Splits groups by the prominence of their tops. One per sensor."""
+
+    def __init__(self, limits: DepthLimits, settings: PerceptionSettings) -> None:
+        self._limits = limits
+        self._settings = settings
+        smallest_px = limits.pixels_of(settings.smallest_m, limits.belt_z_m)
+        self._scale = 2 if smallest_px >= 9.0 else 1
+        rows, columns = limits.shape
+        self._size = (max(columns // self._scale, 1), max(rows // self._scale, 1))
+        self._slope = cv2.resize(limits.slope, self._size, interpolation=cv2.INTER_AREA)
+        reach = int(np.clip(round(0.3 * smallest_px / self._scale), 1, 6))
+        self._window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
+        pixel_m = self._scale * limits.belt_z_m / limits.focal_px
+        # Across two coarse pixels a surface seen at 60° recedes by 2 tan 60° pixels; noise adds to it.
+        self._allowed_m = 3.5 * pixel_m + 3.0 * float(settings.noise_at_m(np.array(limits.belt_z_m)))
+        self._least_dip_m = max(0.005, 1.2 * float(settings.step_at_m(np.array(limits.belt_z_m))))
+        self._least_px = 0.3 * np.pi / 4.0 * smallest_px**2
+
+    def __call__(self, groups: Groups, depth_mm: U16) -> Parts:
+        """Return the fruit in the groups of a depth image (height, width)."""
+        if not groups.contours:
+            return unsplit(groups)
+        labels = cv2.resize(groups.labels, self._size, interpolation=cv2.INTER_NEAREST)
+        relief = self._relief(groups, depth_mm, labels)
+        tops = _tops(relief, labels, self._window)
+        clusters = self._clusters(relief, tops)
+        cuts = {}
+        for group, peaks in tops_by_group(tops, clusters).items():
+            if len(np.unique(clusters[peaks])) > 1:
+                cuts[group] = self._cut(groups, group, relief, labels, tops.place[peaks], clusters[peaks])
+        return with_parts(groups, cuts, self._least_px) if cuts else unsplit(groups)
+
+    def _relief(self, groups: Groups, depth_mm: U16, labels: U8) -> F32:
+        """Return heights above the belt on the coarse grid, gaps filled from around them, jumps dug as moats."""
+        depth = cv2.copyTo(depth_mm[self._limits.crop], groups.solid)
+        total = cv2.resize(depth, self._size, interpolation=cv2.INTER_AREA).astype(np.float32)
+        share = cv2.resize(groups.solid, self._size, interpolation=cv2.INTER_AREA).astype(np.float32)
+        total, share = cv2.blur(total, (3, 3)), cv2.blur(share, (3, 3))
+        z_m = total * np.float32(0.255) / np.maximum(share, np.float32(1.0))
+        seen = share > 8.0
+        far = cv2.dilate(np.where(seen, z_m, np.float32(0.0)), np.ones((3, 3), np.uint8))
+        near = cv2.erode(np.where(seen, z_m, np.float32(99.0)), np.ones((3, 3), np.uint8))
+        moat = np.maximum(far - near - np.float32(self._allowed_m), 0.0)
+        relief = np.float32(self._limits.offset_m) - self._slope * z_m - 2.0 * moat
+        relief[(labels == 0) | ~seen] = 0.0
+        return np.asarray(relief, dtype=np.float32)
+
+    def _clusters(self, relief: F32, tops: Tops) -> Ints:
+        """Return for every top the number of the fruit it belongs to: tops without a valley between them are one."""
+        first, second = _pairs(tops)
+        saddle = lowest_between(relief, tops.place[first], tops.place[second])
+        order = np.argsort(-saddle, kind="stable")
+        parent = list(range(len(tops.group)))
+        height = tops.height_m.tolist()
+        for a, b, low in zip(first[order].tolist(), second[order].tolist(), saddle[order].tolist(), strict=True):
+            root_a, root_b = _root(parent, a), _root(parent, b)
+            lower, upper = (root_a, root_b) if height[root_a] < height[root_b] else (root_b, root_a)
+            dip = height[lower] - low
+            if lower != upper and dip < max(self._settings.prominence * height[lower], self._least_dip_m):
+                parent[lower] = upper
+        return np.array([_root(parent, top) for top in range(len(parent))], dtype=np.intp)
+
+    def _cut(self, groups: Groups, group: int, relief: F32, labels: U8, place: Ints, cluster: Ints) -> U8:
+        """Return the parts of one group over its bounding box: every pixel goes to the top it climbs to."""
+        left, top, width, height = cv2.boundingRect(groups.contours[group])
+        s = self._scale
+        window = (slice(top // s, (top + height - 1) // s + 1), slice(left // s, (left + width - 1) // s + 1))
+        mine = labels[window] == group + 1
+        ground = np.where(mine, relief[window], np.float32(-1.0))
+        numbers = np.unique(cluster, return_inverse=True)[1] + 1
+        coarse = _basins(ground, place - [window[0].start, window[1].start], numbers.astype(np.uint8))
+        coarse[~mine] = 0
+        grown = np.where(coarse == 0, cv2.dilate(coarse, np.ones((5, 5), np.uint8)), coarse)
+        fine = np.repeat(np.repeat(grown, s, axis=0), s, axis=1)
+        start = (top - window[0].start * s, left - window[1].start * s)
+        fine = np.pad(fine, ((0, s), (0, s)), mode="edge")[start[0] : start[0] + height, start[1] : start[1] + width]
+        own = groups.labels[top : top + height, left : left + width] == group + 1
+        return np.ascontiguousarray(np.where(own, fine, 0), dtype=np.uint8)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tops:
+    """Local summits of a height map: (T, 2) row and column, (T,) height, (T,) 0-based group."""
+
+    place: Ints
+    height_m: F64
+    group: Ints
+
+
+def tops_by_group(tops: Tops, clusters: Ints) -> dict[int, Ints]:
+    """Return the tops of every group that has more than one."""
+    counts = np.bincount(tops.group)
+    return {int(group): np.flatnonzero(tops.group == group) for group in np.flatnonzero(counts > 1)}
+
+
+def _tops(relief: F32, labels: U8, window: U8, most: int = 300) -> Tops:
+    """Return pixels that nothing within the window overtops, at most `most`, the highest."""
+    summit = (relief >= cv2.dilate(relief, window)) & (labels > 0) & (relief > 0)
+    place = np.argwhere(summit)
+    height = relief[place[:, 0], place[:, 1]].astype(np.float64)
+    if len(place) > most:
+        keep = np.argsort(-height)[:most]
+        place, height = place[keep], height[keep]
+    return Tops(place, height, labels[place[:, 0], place[:, 1]].astype(np.intp) - 1)
+
+
+def _pairs(tops: Tops) -> tuple[Ints, Ints]:
+    first, second = np.nonzero(np.triu(tops.group[:, None] == tops.group[None, :], k=1))
+    return first, second
+
+
+def lowest_between(relief: F32, start: Ints, end: Ints, samples: int = 24) -> F64:
+    """Return the lowest height (M,) on the straight ways between places (M, 2) of a height map."""
+    way = np.linspace(0.0, 1.0, samples)
+    places = start[:, None, :] + way[None, :, None] * (end - start)[:, None, :]
+    rows, columns = np.moveaxis(np.rint(places).astype(np.intp), -1, 0)
+    return np.asarray(relief[rows, columns].min(axis=1, initial=np.inf), dtype=np.float64)
+
+
+def _root(parent: list[int], top: int) -> int:
+    while parent[top] != top:
+        parent[top] = parent[parent[top]]
+        top = parent[top]
+    return top
+
+
+def _basins(ground: F32, place: Ints, number: U8) -> U8:
+    """Return for every pixel the number of the top that steepest ascent leads to (watershed by pointer jumping)."""
+    rows, columns = ground.shape
+    padded = np.pad(ground, 1, constant_values=-2.0)
+    steps = [(i, j) for i in range(3) for j in range(3)]
+    around = np.stack([padded[i : i + rows, j : j + columns] for i, j in steps])
+    move = np.array([(i - 1) * columns + (j - 1) for i, j in steps])
+    parent = np.arange(rows * columns) + move[around.argmax(axis=0)].reshape(-1)
+    for _ in range(12):
+        parent = parent[parent]
+    roots, inverse = np.unique(parent, return_inverse=True)
+    at = np.stack([roots // columns, roots % columns], axis=1)
+    many, tops = np.repeat(at, len(place), axis=0), np.tile(place, (len(at), 1))
+    saddle = lowest_between(ground, many, tops).reshape(len(at), len(place))
+    distance = np.linalg.norm((many - tops).astype(np.float64), axis=1).reshape(len(at), len(place))
+    best = np.argmax(saddle - 1e-5 * distance, axis=1)
+    return np.asarray(number[best][inverse].reshape(rows, columns), dtype=np.uint8)
