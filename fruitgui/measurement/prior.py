@@ -1,0 +1,85 @@
+"""What fruit usually are, as widths of Gaussians: nearly round about one axis, smooth, close to where they should be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from fruitgui.frame import F64
+from fruitgui.measurement.harmonics import basis
+from fruitgui.measurement.shape import Shape
+
+ROUND_SIGMA = 0.08
+"""Spread of the logarithm of the ratio of the two axes across the axis of revolution: oranges to flat mangoes."""
+
+ASPECT_SIGMA = 0.4
+"""Spread of the logarithm of length over breadth: from flat onions to bananas."""
+
+ZONAL_SIGMA = {3: 0.06, 4: 0.04, 5: 0.025, 6: 0.018}
+"""Spread of the dents that turn about the axis unchanged (necks of pears, hollows of apples), by degree."""
+
+UNEVEN_SIGMA = {3: 0.014, 4: 0.009, 5: 0.006, 6: 0.004}
+"""Spread of each of the other dents, by degree: a few per cent of the radius in all."""
+
+HEIGHT_SIGMA_M = 0.7e-3
+"""How far a sensor's or a view's heights may be off after they were taken from its own belt."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Prior:
+    """Information (1/σ²) on the unknowns of a fit.
+
+    Attributes:
+        axes: (6, 6) on the logarithm of the ellipsoid's stretch, order of `fit.SIX`.
+        dents: (K,) on the harmonics' weights.
+        shift_information: (3,) on each view's own shift, belt frame.
+    """
+
+    axes: F64
+    dents: F64
+    shift_information: F64
+
+    def sensor_information(self, offset_sigma_m: float) -> F64:
+        """Return the information (3,) on one sensor's common shift."""
+        return np.array([offset_sigma_m, offset_sigma_m, HEIGHT_SIGMA_M]) ** -2.0
+
+    def add(self, H: F64, b: F64, shape: Shape, body: F64) -> None:
+        """Add the prior of the shape to the normal equations."""
+        count = len(self.dents)
+        H[:6, :6] += self.axes
+        b[:6] += self.axes @ log_axes(shape, body)
+        index = np.arange(6, 6 + count)
+        H[index, index] += self.dents
+        b[index] += self.dents * shape.weights
+
+
+def log_axes(shape: Shape, body: F64) -> F64:
+    """Return the logarithm of the ellipsoid's semi-axes as a symmetric matrix's six entries, in the body's frame."""
+    values, vectors = np.linalg.eigh(shape.matrix @ body)
+    log = -(vectors * np.log(np.abs(values))) @ vectors.T
+    return np.array([log[0, 0], log[1, 1], log[2, 2], log[0, 1], log[0, 2], log[1, 2]])
+
+
+def shape_prior(degree: int, shift_sigma_m: float, *, axis_known: bool) -> Prior:
+    """Return the prior for harmonics up to `degree`; the body's z axis is that of revolution where it is known."""
+    across = ROUND_SIGMA if axis_known else ASPECT_SIGMA
+    rows = np.array(
+        [
+            np.array([1.0, -1.0, 0.0, 0.0, 0.0, 0.0]) / across,
+            np.array([-0.5, -0.5, 1.0, 0.0, 0.0, 0.0]) / ASPECT_SIGMA,
+            np.array([0.0, 0.0, 0.0, 2.0, 0.0, 0.0]) / across,
+            np.array([0.0, 0.0, 0.0, 0.0, 2.0, 0.0]) / ASPECT_SIGMA,
+            np.array([0.0, 0.0, 0.0, 0.0, 0.0, 2.0]) / ASPECT_SIGMA,
+        ]
+    )
+    dents = np.zeros(0)
+    if degree >= 3:
+        harmonics = basis(degree)
+        sigma = [
+            (ZONAL_SIGMA if m == 0 else UNEVEN_SIGMA)[int(n)]
+            for n, m in zip(harmonics.degree, harmonics.order, strict=True)
+        ]
+        dents = np.array(sigma) ** -2.0
+    shift = np.array([shift_sigma_m, shift_sigma_m, HEIGHT_SIGMA_M]) ** -2.0
+    return Prior(rows.T @ rows, dents, shift)
