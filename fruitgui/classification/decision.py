@@ -24,6 +24,9 @@ _REACH = 0.35
 _FARTHEST = 2.0
 """The threshold goes no farther out than this many times the distance that trained fruit need."""
 
+_UNTESTED = 6.0
+"""The threshold where no fruit could be held out."""
+
 _STEEPNESS = 1.5
 _VIEW_WEIGHTS = np.geomspace(0.05, 8.0, 23)
 _FRUIT_WEIGHTS = np.concatenate([[0.0], np.geomspace(0.005, 1.0, 22)])
@@ -110,19 +113,21 @@ def fit_novelty(own: F64, foreign: F64) -> Novelty:
     """Return the threshold that keeps trained fruit and, where there is room, keeps strangers out.
 
     Args:
-        own: (N, A) distances of held-out fruit to their own kind.
+        own: (N, L, A) distances of held-out fruit to their own kind, each in L lights.
         foreign: (M, A) distances of strangers to the nearest kind: kinds left out of training, things labelled unknown.
     """
     from scipy.stats import t as student
 
-    roots = np.cbrt(own)
+    fruit, sets = len(own), own.shape[-1]
+    if fruit == 0:
+        return Novelty(np.full(sets, 1.0), np.full(sets, 0.5), _UNTESTED)
+    roots = np.cbrt(own.reshape(-1, sets))
     centres = np.median(roots, axis=0)
     upper = np.sqrt(np.mean(np.maximum(roots - centres, 0.0) ** 2, axis=0) * 2.0)
     spreads = np.maximum(np.maximum(upper, roots.std(axis=0)), 0.02 * np.maximum(centres, 0.1))
-    worst = _worst(centres, spreads, own)
-    count = len(worst)
-    reach = float(student.ppf(1.0 - _PROMISE, max(count - 1, 2))) * math.sqrt(1.0 + 1.0 / count)
-    needed = max(float(np.mean(worst) + reach * max(np.std(worst), 0.5)), 2.5)
+    worst = _worst(centres, spreads, own.reshape(-1, sets))
+    reach = float(student.ppf(1.0 - _PROMISE, max(fruit - 1, 2))) * math.sqrt(1.0 + 1.0 / fruit)
+    needed = max(float(worst.mean()) + reach * max(float(worst.std()), 0.5), 2.5)
     if len(foreign) == 0:
         return Novelty(centres, spreads, needed)
     stranger = float(np.quantile(_worst(centres, spreads, foreign), _FOREIGN_SHARE))
@@ -141,8 +146,8 @@ def decide(kinds: tuple[str, ...], scores: Scores, weighing: Weighing, novelty: 
     score = novelty.score(scores.distances[:, best])
     if scores.stranger > scores.fruit[best]:
         score = max(score, 1.0 + min((scores.stranger - scores.fruit[best]) / 10.0, 1.0))
-    excess = float(np.clip(_STEEPNESS * novelty.threshold * (score - 1.0), -50.0, 50.0))
-    unknown = 1.0 / (1.0 + math.exp(-excess))
+    excess = _STEEPNESS * novelty.threshold * (score - 1.0)
+    unknown = 0.5 * (1.0 + math.tanh(0.5 * excess))
     probabilities = {kind: float((1.0 - unknown) * np.exp(log)) for kind, log in zip(kinds, logs, strict=True)}
     probabilities[UNKNOWN] = unknown
     kind = UNKNOWN if score > 1.0 else kinds[best]

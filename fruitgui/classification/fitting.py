@@ -9,17 +9,16 @@ import numpy as np
 from fruitgui.classification.density import Density, FruitVectors, fit_density, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames
 from fruitgui.classification.model import Core
-from fruitgui.classification.nature import Nature, by_ratio, natures, sizes
+from fruitgui.classification.nature import Nature, by_ratio, natures, sizes, tolerances
 from fruitgui.classification.network import fit_network
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled, never_cancelled
 
-LIGHT_SPREAD = 1.0
-"""Standard deviation of the logarithm of brightness that a station must live with: 100–1000 lx spans ±1.15."""
-
 _EPOCHS = 50
 _ROWS = 1024
 _JITTER = 0.5
+_LEAST_BIN = 0.05
+_LEAST_OTHER = 1e-3
 _VIEWS = 40
 """Views per fruit that the perceptron is shown; more of one fruit teach nothing new."""
 
@@ -68,15 +67,9 @@ def _thinned(views: F64) -> F64:
     return np.asarray(views[np.linspace(0, len(views) - 1, _VIEWS).round().astype(int)])
 
 
-def light_covariance(names: FeatureNames) -> F64:
-    """Return what unknown light adds to the covariance of whole fruit (D, D): all light features move together."""
-    moved = np.array([what is Nature.LIGHT for what in natures(names)], dtype=float)
-    return LIGHT_SPREAD**2 * np.outer(moved, moved)
-
-
 def fit_densities(fruit: FruitSet, strength: float) -> Density:
     """Return the densities of the kinds."""
-    return fit_density(fruit.vectors, fruit.kinds, fruit.count, strength, light_covariance(fruit.names))
+    return fit_density(fruit.vectors, fruit.kinds, fruit.count, strength, np.diag(tolerances(fruit.names) ** 2))
 
 
 def fit_core(
@@ -94,7 +87,7 @@ def fit_core(
     density = fit_densities(fruit, strength)
     rows = np.concatenate(fruit.views)
     centre = rows.mean(axis=0)
-    unit = np.maximum(rows.std(axis=0), 1e-6 * (1.0 + np.abs(centre)))
+    unit = np.maximum(rows.std(axis=0), _least_units(fruit.names))
     drawer = _Drawer(fruit, centre, unit, density)
     network = fit_network(drawer.draw, fruit.count, _EPOCHS, random, cancelled=cancelled)
     return Core(fruit.names, centre, unit, network, density, around(density, strangers))
@@ -111,11 +104,17 @@ def around(density: Density, strangers: FruitVectors | None) -> Density | None:
     )
 
 
+def _least_units(names: FeatureNames) -> F64:
+    """Return the least unit of each view feature: an empty bin that fills up a little has not changed the fruit."""
+    bins = np.array([what is Nature.BIN for what in natures(names)[: len(names.view)]])
+    return np.maximum(np.where(bins, _LEAST_BIN, _LEAST_OTHER), tolerances(names)[: len(names.view)])
+
+
 class _Drawer:
     """Draws rows for one epoch: kinds alike, fruit of a kind alike, views of a fruit alike.
 
     A row is a view moved as other fruit of its kind differ from this one (half as far, in both directions), and as
-    brighter or darker light would move it: a few fruit stand for the many that are to come.
+    other light would move it: a few fruit stand for the many that are to come.
     """
 
     def __init__(self, fruit: FruitSet, centre: F64, unit: F64, density: Density) -> None:
@@ -125,11 +124,9 @@ class _Drawer:
         self._members = [np.flatnonzero(fruit.kinds == kind) for kind in range(fruit.count)]
         width = len(centre)
         scale = density.unit[:width] / unit
-        light = np.array([what is Nature.LIGHT for what in natures(fruit.names)[:width]], dtype=float)
-        self._light = LIGHT_SPREAD * light / unit
-        blocks = density.covariances[:, :width, :width] * np.outer(scale, scale)
-        blocks = blocks - np.outer(self._light, self._light)
-        self._moves = [_root(block) * _JITTER for block in blocks]
+        light = np.diag((tolerances(fruit.names)[:width] / unit) ** 2)
+        between = density.covariances[:, :width, :width] * np.outer(scale, scale) - light
+        self._moves = [_root(_JITTER**2 * block + light) for block in between]
 
     def draw(self, random: np.random.Generator) -> tuple[F64, Ints]:
         """Return (1024, F) rows and the number of the kind of each."""
@@ -140,7 +137,6 @@ class _Drawer:
             chosen = random.choice(members, len(at))
             views = self._starts[chosen] + (random.random(len(at)) * self._lengths[chosen]).astype(np.intp)
             rows[at] = self._rows[views] + random.standard_normal((len(at), rows.shape[1])) @ self._moves[kind].T
-        rows += random.standard_normal((_ROWS, 1)) * self._light
         order = random.permutation(_ROWS)
         return np.clip(rows[order], -10.0, 10.0), kinds[order]
 

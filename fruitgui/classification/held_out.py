@@ -8,14 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from fruitgui.classification.decision import Novelty, Scores, Weighing, fit_novelty, fit_weighing
-from fruitgui.classification.density import FruitVectors
+from fruitgui.classification.density import Density, FruitVectors
 from fruitgui.classification.evidence import Evidence
 from fruitgui.classification.fitting import FruitSet, fit_core, fit_densities
-from fruitgui.classification.model import axis_sets
+from fruitgui.classification.nature import axis_sets, tolerances
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled
 
 FOLDS = 5
+LIGHTS = 3
+"""In how many lights a held-out fruit is put to find how far trained fruit may lie."""
+
 STRENGTHS = (4.0, 12.0, 40.0, 150.0)
 """Candidates for the strength of the pooled covariance: from each kind its own to all alike."""
 
@@ -44,13 +47,12 @@ def choose_strength(fruit: FruitSet, fold: Ints) -> float:
 
 
 def _held_out_density(fruit: FruitSet, fold: Ints, strength: float) -> float:
-    total, axes = 0.0, np.arange(fruit.vectors.points.shape[1])
+    total, axes = 0.0, axis_sets(fruit.names)[0]
     for one in np.unique(fold[fold >= 0]):
         density = fit_densities(fruit.take(np.flatnonzero(fold != one)), strength)
-        axes = np.arange(len(density.unit))
         for row in np.flatnonzero(fold == one):
             densities = density.judge(fruit.vectors.points[row], fruit.vectors.views[row], axes)[1]
-            total += float(densities[fruit.kinds[row]] - np.log(density.unit).sum())
+            total += float(densities[fruit.kinds[row]] - np.log(density.unit[axes]).sum())
     return total
 
 
@@ -61,6 +63,7 @@ class HeldOut:
     Attributes:
         rows: (M,) which fruit.
         scores: of each.
+        own: (M, L, A) distances to its own kind, as other light may move them.
         kinds: (M,) what each is.
         fold: (M,) in which fold each was.
         foreign: (S, A) distances of strangers to the nearest kind.
@@ -68,6 +71,7 @@ class HeldOut:
 
     rows: Ints
     scores: tuple[Scores, ...]
+    own: F64
     kinds: Ints
     fold: Ints
     foreign: F64
@@ -75,12 +79,7 @@ class HeldOut:
     def fit(self, rows: Ints) -> tuple[Weighing, Novelty]:
         """Return what weighs the parts, fitted to the chosen fruit."""
         scores = [self.scores[row] for row in rows]
-        own = [self.scores[row].distances[:, self.kinds[row]] for row in rows]
-        sets = self.foreign.shape[1]
-        return (
-            fit_weighing(scores, self.kinds[rows]),
-            fit_novelty(np.array(own).reshape(-1, sets), self.foreign),
-        )
+        return fit_weighing(scores, self.kinds[rows]), fit_novelty(self.own[rows], self.foreign)
 
 
 def hold_out(
@@ -100,15 +99,27 @@ def hold_out(
     """
     rows: list[int] = []
     scores: list[Scores] = []
+    own: list[F64] = []
     for one in range(FOLDS):
         out = np.flatnonzero(fold == one)
         if len(out):
             core = fit_core(fruit.take(np.flatnonzero(fold != one)), strength, strangers, random, cancelled)
             rows += out.tolist()
             scores += [core.scores(evidence[row]) for row in out]
+            own += [_own(fruit, core.density, int(row), random) for row in out]
         done((one + 1) / FOLDS)
     at = np.array(rows, dtype=np.intp)
-    return HeldOut(at, tuple(scores), fruit.kinds[at], fold[at], foreign_distances(fruit, strength, strangers))
+    moved = np.array(own).reshape(len(rows), LIGHTS, -1)
+    foreign = foreign_distances(fruit, strength, strangers)
+    return HeldOut(at, tuple(scores), moved, fruit.kinds[at], fold[at], foreign)
+
+
+def _own(fruit: FruitSet, density: Density, row: int, random: np.random.Generator) -> F64:
+    """Return the distances (L, A) of a fruit to its own kind in L lights other than training's."""
+    tolerance, sets = tolerances(fruit.names), axis_sets(fruit.names)
+    points = fruit.vectors.points[row] + random.standard_normal((LIGHTS, len(tolerance))) * tolerance
+    views, kind = float(fruit.vectors.views[row]), fruit.kinds[row]
+    return np.array([[density.judge(point, views, axes)[0][kind] for axes in sets] for point in points])
 
 
 def foreign_distances(fruit: FruitSet, strength: float, strangers: FruitVectors | None) -> F64:

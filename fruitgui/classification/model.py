@@ -9,21 +9,10 @@ import numpy as np
 from fruitgui.classification.decision import Novelty, Scores, Weighing, decide
 from fruitgui.classification.density import Density, FruitVectors, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames, KindVote
-from fruitgui.classification.nature import Nature, by_ratio, natures, sizes
+from fruitgui.classification.nature import axis_sets, by_ratio, sizes
 from fruitgui.classification.network import Network
 from fruitgui.errors import InputError
-from fruitgui.frame import F64, Ints
-
-
-def axis_sets(names: FeatureNames) -> tuple[Ints, ...]:
-    """Return the sets of axes in which a fruit is compared with its kind: all, colour alone, shape alone."""
-    what = natures(names)
-    sets = [
-        np.arange(len(what)),
-        np.array([i for i, one in enumerate(what) if one is not Nature.SHAPE], dtype=np.intp),
-        np.array([i for i, one in enumerate(what) if one is Nature.SHAPE], dtype=np.intp),
-    ]
-    return tuple(axes for axes in sets if len(axes))
+from fruitgui.frame import F64
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,10 +48,11 @@ class Core:
 
     def _whole(self, vectors: FruitVectors, views: F64) -> Scores:
         point, count = vectors.points[0], float(vectors.views[0])
-        judged = [self.density.judge(point, count, axes) for axes in axis_sets(self.names)]
+        sets = axis_sets(self.names)
+        judged = [self.density.judge(point, count, axes) for axes in sets]
         stranger = -np.inf
         if self.strangers is not None:
-            stranger = float(self.strangers.judge(point, count, np.arange(len(point)))[1].max())
+            stranger = float(self.strangers.judge(point, count, sets[0])[1].max())
         return Scores(views, judged[0][1], np.array([distances for distances, _ in judged]), stranger)
 
 

@@ -12,13 +12,14 @@ from fruitgui.classification.decision import Novelty, Weighing
 from fruitgui.classification.density import Density
 from fruitgui.classification.evidence import FeatureNames
 from fruitgui.classification.kinds import checked_kinds
-from fruitgui.classification.model import Core, KindModel, axis_sets
+from fruitgui.classification.model import Core, KindModel
+from fruitgui.classification.nature import axis_sets
 from fruitgui.classification.network import Network
 from fruitgui.errors import InputError
 from fruitgui.frame import F64
 
-Parts = dict[str, Any]
-"""Names to arrays (float64) and to what JSON can hold."""
+Settings = dict[str, Any]
+Arrays = dict[str, F64]
 
 MAX_FEATURES = 1024
 MAX_LAYERS = 4
@@ -26,10 +27,10 @@ MAX_NEURONS = 1024
 MAX_STRANGERS = 200
 
 
-def to_parts(model: KindModel) -> Parts:
-    """Return the model as arrays and JSON values; names with a slash are arrays."""
+def to_parts(model: KindModel) -> tuple[Settings, Arrays]:
+    """Return the model as settings that JSON can hold, and named arrays of float64."""
     core = model.core
-    parts: Parts = {
+    settings: Settings = {
         "kinds": list(model.kinds),
         "view_features": list(core.names.view),
         "fruit_features": list(core.names.fruit),
@@ -38,20 +39,22 @@ def to_parts(model: KindModel) -> Parts:
         "unknown": {"threshold": model.novelty.threshold},
         "density": {"views": core.density.views, "strength": core.density.strength},
         "strangers": 0 if core.strangers is None else len(core.strangers.means),
+    }
+    arrays: Arrays = {
         "views/centre": core.centre,
         "views/unit": core.unit,
         "unknown/centres": model.novelty.centres,
         "unknown/spreads": model.novelty.spreads,
     }
     for layer, (weight, bias) in enumerate(zip(core.network.weights, core.network.biases, strict=True)):
-        parts |= {f"network/weight_{layer}": weight, f"network/bias_{layer}": bias}
-    parts |= _arrays_of("density", core.density)
+        arrays |= {f"network/weight_{layer}": weight, f"network/bias_{layer}": bias}
+    arrays |= _arrays_of("density", core.density)
     if core.strangers is not None:
-        parts |= {"strangers/means": core.strangers.means, "strangers/covariance": core.strangers.covariances[0]}
-    return parts
+        arrays |= {"strangers/means": core.strangers.means, "strangers/covariance": core.strangers.covariances[0]}
+    return settings, arrays
 
 
-def _arrays_of(name: str, density: Density) -> Parts:
+def _arrays_of(name: str, density: Density) -> Arrays:
     return {
         f"{name}/unit": density.unit,
         f"{name}/means": density.means,
@@ -61,18 +64,19 @@ def _arrays_of(name: str, density: Density) -> Parts:
     }
 
 
-def from_parts(parts: Mapping[str, Any], names: FeatureNames) -> KindModel:
+def from_parts(settings: Mapping[str, Any], arrays: Mapping[str, Any], names: FeatureNames) -> KindModel:
     """Return the model that the parts describe.
 
     Args:
-        parts: as `to_parts` gave them, read from a file that may be anything.
+        settings: as `to_parts` gave them, read from a file that may be anything.
+        arrays: likewise.
         names: the features that this version computes.
 
     Raises:
         InputError: a part is missing, of the wrong kind or shape, not finite, out of range; or the model was
             trained on other features than this version's; `where` names the part.
     """
-    reader = _Reader(parts)
+    reader = _Reader({**settings, **arrays})
     kinds = checked_kinds(reader.words("kinds"))
     trained = FeatureNames(tuple(reader.words("view_features")), tuple(reader.words("fruit_features")))
     if trained != names:

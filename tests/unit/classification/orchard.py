@@ -11,10 +11,10 @@ from fruitgui.frame import F64
 
 NAMES = FeatureNames(
     (
-        "light_mean",
-        *(f"chroma_{i}" for i in range(10)),
-        *(f"texture_{i}" for i in range(4)),
-        *(f"shape_{i}" for i in range(15)),
+        *(f"chroma_{letter}" for letter in "abcdefghij"),
+        *(f"texture_{letter}" for letter in "abcd"),
+        *(f"ratio_{letter}" for letter in "abcdefghijkl"),
+        *(f"hue_{i}" for i in range(4)),
     ),
     ("volume_m3", "length_m", "diameter_m", "perimeter_m"),
 )
@@ -37,18 +37,17 @@ class Orchard:
         mixing = random.standard_normal((_WIDTH, _WIDTH)) / np.sqrt(_WIDTH)
         return cls(means, mixing, 0.3 * random.standard_normal((kinds, 1)))
 
-    def fruit(self, kind: int, views: int, random: np.random.Generator, light: float = 0.0) -> Evidence:
+    def fruit(self, kind: int, views: int, random: np.random.Generator) -> Evidence:
         own = self.means[kind] + self.mixing @ random.standard_normal(_WIDTH)
         seen = own + 0.5 * random.standard_normal((views, _WIDTH))
-        seen[:, 0] += light
         size = self.fused[kind, 0] + 0.08 * random.standard_normal()
         fused = np.exp(size * np.array([3.0, 1.0, 1.0, 1.0]) + 0.03 * random.standard_normal(_FUSED))
         return Evidence(seen.astype(np.float32), fused * np.array([2e-4, 0.08, 0.07, 0.22]))
 
-    def harvest(self, each: int, views: int, seed: int, light: float = 0.0) -> list[LabelledFruit]:
+    def harvest(self, each: int, views: int, seed: int) -> list[LabelledFruit]:
         random = np.random.default_rng(seed)
         return [
-            LabelledFruit(f"{kind}-{number}", f"kind {kind}", self.fruit(kind, views, random, light))
+            LabelledFruit(f"{kind}-{number}", f"kind {kind}", self.fruit(kind, views, random))
             for kind in range(len(self.means))
             for number in range(each)
         ]
