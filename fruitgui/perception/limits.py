@@ -29,6 +29,7 @@ class DepthLimits:
         focal_px: geometric mean of the focal lengths.
         turn: (3, 3) rotation from the optical frame to the belt's (z up).
         edges: (E, 3) half-planes m·(x, y, 1) ≥ 0 of the region in the belt frame; E = 0 without a region.
+        inset_m: how far inside the region's edge fruit are looked for.
     """
 
     crop: tuple[slice, slice]
@@ -42,11 +43,19 @@ class DepthLimits:
     focal_px: float
     turn: F64
     edges: F64
+    inset_m: float
 
     @property
     def shape(self) -> tuple[int, int]:
         """Rows and columns of the crop."""
         return (int(self.nearest_mm.shape[0]), int(self.nearest_mm.shape[1]))
+
+    def inside_m(self, points_m: F64) -> F64:
+        """Return how far points (N, 3) of the optical frame are inside the region's edge, (N,); inf without one."""
+        if len(self.edges) == 0:
+            return np.full(len(points_m), np.inf)
+        flat = points_m @ self.turn[:2].T
+        return np.asarray((flat @ self.edges[:, :2].T + self.edges[:, 2]).min(axis=1))
 
     def pixels_of(self, length_m: float, z_m: float) -> float:
         """Return how many pixels a length at distance z spans."""
@@ -60,7 +69,8 @@ def depth_limits(intrinsics: Intrinsics, surface: Surface, settings: PerceptionS
     slope = -(rays @ plane.normal[:2] + plane.normal[2])
     nearest, farthest = _height_limits(slope, float(plane.offset_m), settings)
     edges = _region_edges(surface.region_m, plane)
-    nearest, farthest = _within_region(nearest, farthest, rays, plane, edges)
+    inset_m = _inset_m(intrinsics, plane, settings)
+    nearest, farthest = _within_region(nearest, farthest, rays, plane, edges - [0.0, 0.0, inset_m])
     usable = (farthest > nearest) & (slope > 1e-3)
     nearest_mm = np.where(usable, np.clip(np.ceil(nearest * 1e3), 1, FARTHEST_MM), 1).astype(np.uint16)
     farthest_mm = np.where(usable, np.clip(np.floor(farthest * 1e3), 0, FARTHEST_MM), 0).astype(np.uint16)
@@ -80,6 +90,7 @@ def depth_limits(intrinsics: Intrinsics, surface: Surface, settings: PerceptionS
         focal_px=float(np.sqrt(intrinsics.fx * intrinsics.fy)),
         turn=plane.frame().rotation,
         edges=edges,
+        inset_m=inset_m,
     )
 
 
@@ -106,6 +117,12 @@ def _region_edges(region_m: F64 | None, plane: Plane) -> F64:
     inward = np.stack([-along[:, 1], along[:, 0]], axis=1)
     inward *= np.sign(np.sum(inward * (hull.mean(axis=0) - hull), axis=1))[:, None]
     return np.hstack([inward, -np.sum(inward * hull, axis=1)[:, None]])
+
+
+def _inset_m(intrinsics: Intrinsics, plane: Plane, settings: PerceptionSettings) -> float:
+    """Return how far inside the region's edge fruit are looked for: noise and widened edges carry rails over it."""
+    noise_m = float(settings.noise_at_m(np.array(plane.offset_m)))
+    return noise_m + settings.fattening_px * plane.offset_m / intrinsics.fx
 
 
 def _within_region(nearest: F64, farthest: F64, rays: F64, plane: Plane, edges: F64) -> tuple[F64, F64]:

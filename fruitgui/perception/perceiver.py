@@ -16,6 +16,7 @@ from fruitgui.perception.pixels import Pixels, gather_pixels
 from fruitgui.perception.segment import Segmenter
 from fruitgui.perception.settings import PerceptionSettings
 from fruitgui.perception.split import HeightSplitter, Parts, Splitter
+from fruitgui.perception.wholeness import seen_whole
 from fruitgui.perception.view import FruitView, Observation
 
 PATCH_PX = 40
@@ -44,6 +45,8 @@ class Perceiver:
         self._settings = settings or PerceptionSettings()
         self._intrinsics = intrinsics
         self._limits = depth_limits(intrinsics, surface, self._settings)
+        noise_m = float(self._settings.noise_at_m(np.array(self._limits.belt_z_m)))
+        self._jump_m = 0.3 * self._settings.smallest_m + 3.0 * noise_m
         self._segmenter = Segmenter(self._limits, self._settings)
         self._splitter = splitter or HeightSplitter(self._limits, self._settings)
 
@@ -65,7 +68,8 @@ class Perceiver:
         if parts.contours:
             edge_px = _edge_distance(parts)
             pixels = gather_pixels(parts.labels, groups.solid, edge_px, depth_mm, self._limits, len(parts.contours))
-            views = self._views(frame, depth_mm, color, parts, pixels)
+            whole = seen_whole(parts, groups.solid, depth_mm, self._limits, self._jump_m)
+            views = self._views(frame, color, parts, pixels, whole)
         return Observation(frame.sensor, frame.sequence, time_s, views)
 
     def _check(self, frame: Frame) -> None:
@@ -78,10 +82,9 @@ class Perceiver:
                 "Calibrate the station with a recording of the same resolution.",
             )
 
-    def _views(self, frame: Frame, depth_mm: np.ndarray, color: U8, parts: Parts, pixels: Pixels) -> tuple[FruitView, ...]:
+    def _views(self, frame: Frame, color: U8, parts: Parts, pixels: Pixels, whole: Bools) -> tuple[FruitView, ...]:
         limits = self._limits
         ellipses = fit_ellipses(parts.contours)
-        whole = _whole(parts, limits)
         rough = ellipses.axes_px[:, 0] * limits.belt_z_m / limits.focal_px
         centres = find_centres(pixels, rough, whole, limits, self._settings)
         shapes, length = shape_features(pixels, ellipses, centres.top_m, centres.centre_m, limits)
@@ -103,6 +106,7 @@ class Perceiver:
             & (length_m <= self._settings.largest_m)
             & (thickness_m >= 0.5 * self._settings.smallest_m)
             & (centres.top_m >= 0.5 * self._settings.smallest_m)
+            & (self._limits.inside_m(centres.mean_m) >= 0.4 * self._settings.smallest_m)
         )
 
     def _view(
@@ -165,15 +169,6 @@ def _edge_distance(parts: Parts) -> F32:
         inside[:, 1:][across & (labels[:, :-1] > 0)] = 0
         inside[1:][down & (labels[:-1] > 0)] = 0
     return np.asarray(cv2.distanceTransform(inside, cv2.DIST_L2, 3))
-
-
-def _whole(parts: Parts, limits: DepthLimits) -> Bools:
-    """Tell which fruit are not cut by the edge of the crop (the picture's or the region's), (N,)."""
-    rows, columns = limits.shape
-    boxes = np.array([[*c[:, 0, :].min(axis=0), *c[:, 0, :].max(axis=0)] for c in parts.contours])
-    return np.asarray(
-        (boxes[:, 0] > 0) & (boxes[:, 1] > 0) & (boxes[:, 2] < columns - 1) & (boxes[:, 3] < rows - 1)
-    )
 
 
 def patch_at(color: U8, u_px: float, v_px: float, size: int = PATCH_PX) -> U8:

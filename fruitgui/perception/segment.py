@@ -39,7 +39,8 @@ class Segmenter:
         smallest_px = limits.pixels_of(settings.smallest_m, limits.belt_z_m)
         bridge = 2 * int(np.clip(round(smallest_px / 6), 1, 3)) + 1
         self._bridge = cv2.getStructuringElement(cv2.MORPH_RECT, (bridge, bridge))
-        self._thin = cv2.getStructuringElement(cv2.MORPH_RECT, (3, 3))
+        thin = 2 * int(np.clip(round(smallest_px / 7), 1, 4)) + 1
+        self._thin = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (thin, thin))
 
     def groups(self, depth_mm: U16) -> Groups:
         """Return the groups in a depth image (height, width)."""

@@ -29,7 +29,7 @@ class PerceptionSettings:
     largest_m: float = 0.30
     tallest_m: float = 0.20
     lowest_m: float = 0.006
-    prominence: float = 0.2
+    prominence: float = 0.12
     max_points: int = 1200
     noise_m: float = 1.4e-3
     step_m: float = 2.9e-3

@@ -108,7 +108,7 @@ class HeightSplitter:
         pixel_m = self._scale * limits.belt_z_m / limits.focal_px
         # Across two coarse pixels a surface seen at 60° recedes by 2 tan 60° pixels; noise adds to it.
         self._allowed_m = 3.5 * pixel_m + 3.0 * float(settings.noise_at_m(np.array(limits.belt_z_m)))
-        self._least_dip_m = max(0.005, 1.2 * float(settings.step_at_m(np.array(limits.belt_z_m))))
+        self._least_dip_m = max(0.005, 3.0 * float(settings.noise_at_m(np.array(limits.belt_z_m))))
         self._least_px = 0.3 * np.pi / 4.0 * smallest_px**2
 
     def __call__(self, groups: Groups, depth_mm: U16) -> Parts:
