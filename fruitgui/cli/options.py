@@ -33,7 +33,7 @@ def add_json(command: argparse.ArgumentParser) -> None:
 
 def source(options: argparse.Namespace, path: Path) -> RecordingSource:
     """Return where to read from, of the options given."""
-    sensors = None if options.sensors is None else tuple(name for name in options.sensors.split(",") if name)
+    sensors = tuple(name for name in (options.sensors or "").split(",") if name)
     return RecordingSource(path, tuple(options.topics), sensors, _clock_offsets(options.clock_offset))
 
 

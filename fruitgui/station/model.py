@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from fruitgui.classification.evidence import FeatureNames
 from fruitgui.classification.model import KindModel
+from fruitgui.classification.parts import from_parts, to_parts
 from fruitgui.errors import InputError
 from fruitgui.measurement.correction import VolumeCorrection
 from fruitgui.station.archive import REMEDY, read_archive, write_archive
@@ -36,7 +38,7 @@ def write_model(path: Path, model: Model) -> None:
     Raises:
         WorldError: it cannot be written there.
     """
-    settings, arrays = model.kinds.to_parts()
+    settings, arrays = to_parts(model.kinds)
     manifest = {
         "schema": SCHEMA,
         "classifier": settings,
@@ -46,8 +48,8 @@ def write_model(path: Path, model: Model) -> None:
     write_archive(path, manifest, arrays)
 
 
-def read_model(path: Path) -> Model:
-    """Return the model in a file.
+def read_model(path: Path, names: FeatureNames) -> Model:
+    """Return the model in a file, which must want the features of these names.
 
     Raises:
         InputError: unreadable, another version, or any part that cannot be; says which.
@@ -60,7 +62,7 @@ def read_model(path: Path) -> Model:
             file=path, where="schema",
         )  # fmt: skip
     try:
-        kinds = KindModel.from_parts(_object(manifest, "classifier"), arrays)
+        kinds = from_parts(_object(manifest, "classifier"), arrays, names)
         correction = VolumeCorrection.from_dict(_object(manifest, "correction"))
     except InputError as error:
         raise InputError(error.code, f"{path}: {error.what}", REMEDY, file=path, where=error.where) from error

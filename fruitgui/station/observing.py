@@ -1,0 +1,118 @@
+"""A recording seen through a station: frames in, observations out, with how long it took."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from fruitgui.geometry.rig import Rig
+from fruitgui.perception.perceiver import Perceiver
+from fruitgui.perception.view import Observation
+from fruitgui.progress import Cancelled, never_cancelled, stop_if
+from fruitgui.station.matching import match_sensors
+from fruitgui.station.source import RecordingSource
+from fruitgui.station.station import Station
+from fruitgui.station.timing import Stopwatch
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Seen:
+    """One frame and what was perceived in it.
+
+    Attributes:
+        recorded_as: the sensor's id in the recording.
+        frame_time_s: of the frame, in the sensor's own clock.
+        observation: of it; sensor has the station's id, time in the reference clock.
+        perceived_s: how long perceiving took.
+    """
+
+    recorded_as: str
+    frame_time_s: float
+    observation: Observation
+    perceived_s: float
+
+
+class Watching:
+    """A recording opened for a station; its frames are perceived one after the other.
+
+    Attributes:
+        rig: of the sensors that are there.
+    """
+
+    def __init__(self, source: RecordingSource, station: Station) -> None:
+        """Open the recording.
+
+        Raises:
+            InputError: it cannot be used, or has no sensor of the station.
+        """
+        self._recording = source.open()
+        self._matching = match_sensors(station, self._recording.sensors.values())
+        self._given_s = source.clock_offsets_s
+        self._offsets_s = {
+            sensor: self._given(sensor, station.sensors[name].clock_offset_s) for sensor, name in self._names()
+        }
+        self._corrections = {
+            sensor: correction
+            for sensor, name in self._names()
+            if (correction := station.sensors[name].depth_correction) is not None
+        }
+        cameras = {name: self._recording.sensors[sensor].intrinsics for sensor, name in self._names()}
+        self.rig: Rig = station.rig(cameras)
+        self._perceivers = {
+            sensor: Perceiver(name, cameras[name], self.rig.mounts[name].surface) for sensor, name in self._names()
+        }
+
+    def seen(self, watch: Stopwatch, cancelled: Cancelled = never_cancelled) -> Iterator[Seen]:
+        """Yield every frame in order of the reference clock; each call begins at the beginning.
+
+        Raises:
+            InputError: not one frame can be read.
+        """
+        frames = self._recording.frames(clock_offsets=self._offsets_s, corrections=self._corrections)
+        while True:
+            stop_if(cancelled)
+            began_s = time.perf_counter()
+            try:
+                time_s, frame = next(frames)
+            except StopIteration:
+                return
+            read_s = time.perf_counter()
+            watch.add("read", read_s - began_s)
+            perceiver = self._perceivers.get(frame.sensor)
+            if perceiver is None:
+                continue
+            observation = perceiver.observe(replace(frame, sensor=perceiver.sensor), time_s)
+            perceived_s = time.perf_counter() - read_s
+            watch.add("perceive", perceived_s)
+            yield Seen(frame.sensor, frame.time_s, observation, perceived_s)
+
+    def shift_clocks(self, offsets_s: Mapping[str, float]) -> None:
+        """Add offsets (by station id) to the clocks in use, from the next reading on."""
+        for sensor, name in self._names():
+            self._offsets_s[sensor] += offsets_s.get(name, 0.0)
+
+    def clock_given(self, name: str) -> bool:
+        """Tell whether a person gave the clock offset of a station sensor."""
+        return name in self._given_s or any(one in self._given_s for one, its in self._names() if its == name)
+
+    def sensors_value(self, frames: Mapping[str, int]) -> list[dict[str, Any]]:
+        """Return the report's `sensors`, given how many frames of each station sensor were used."""
+        dropped = self._recording.tally.dropped
+        return [
+            {"id": name, "frames": frames.get(name, 0), "dropped": dropped(sensor)} for sensor, name in self._names()
+        ]
+
+    def warnings(self) -> list[str]:
+        """Return what a person should know of recording and station."""
+        return [*self._matching.warnings, *self._recording.warnings]
+
+    def _names(self) -> list[tuple[str, str]]:
+        """Return (the recording's id, the station's id) of every sensor in use."""
+        return list(self._matching.station_id.items())
+
+    def _given(self, sensor: str, otherwise_s: float) -> float:
+        """Return the offset that a person gave, by either of the sensor's ids."""
+        name = self._matching.station_id[sensor]
+        return self._given_s.get(sensor, self._given_s.get(name, otherwise_s))

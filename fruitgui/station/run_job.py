@@ -1,0 +1,108 @@
+"""Running the line over a recording, as fast as the machine allows."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from fruitgui.measurement.paper import paper_volume
+from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
+from fruitgui.station.fruit import Fruit
+from fruitgui.station.line import FEATURES, Line, PaperVolume
+from fruitgui.station.model import Model, read_model
+from fruitgui.station.observing import Watching
+from fruitgui.station.prelude import Prelude, look_ahead
+from fruitgui.station.report import report_value
+from fruitgui.station.source import RecordingSource
+from fruitgui.station.station import Station
+from fruitgui.station.station_file import read_station
+from fruitgui.station.timing import Stopwatch
+from fruitgui.tracking.tracker import Tracker
+
+
+@dataclass(frozen=True, slots=True)
+class RunOptions:
+    """What a person wishes of a run.
+
+    Attributes:
+        model: file of the model; None takes the one that the station names.
+        paper: add each fruit's volume by the source's method.
+        belt_speed_m_s: where it is known; None takes the station's, or lets the tracks tell.
+    """
+
+    model: Path | None = None
+    paper: bool = False
+    belt_speed_m_s: float | None = None
+
+
+def model_of(station: Station, station_path: Path, given: Path | None) -> Model | None:
+    """Return the model to use: the one given, or the one that the station names beside it; None where there is none.
+
+    Raises:
+        InputError: the file cannot be used.
+    """
+    if given is None and station.model is not None:
+        given = station_path.parent / station.model
+    return None if given is None else read_model(given, FEATURES)
+
+
+def run_recording(
+    source: RecordingSource,
+    station_path: Path,
+    options: RunOptions,
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+) -> dict[str, Any]:
+    """Return the report of a recording, `fruitgui.report/1`.
+
+    Raises:
+        InputError: recording, station or model cannot be used.
+    """
+    station = read_station(station_path)
+    model = model_of(station, station_path, options.model)
+    watch = Stopwatch()
+    prelude = look_ahead(Watching(source, station), station, options.belt_speed_m_s, watch, cancelled)
+    run = _Run(prelude, model, paper_volume if options.paper else None, watch)
+    run.go(progress)
+    return run.report(station)
+
+
+class _Run:
+    """One recording through one line."""
+
+    def __init__(self, prelude: Prelude, model: Model | None, paper: PaperVolume | None, watch: Stopwatch) -> None:
+        rig = prelude.watching.rig
+        self._prelude = prelude
+        self._watch = watch
+        self._tracker = Tracker(rig, prelude.belt)
+        self._line = Line(rig, self._tracker, model, paper, watch)
+        self._frames: Counter[str] = Counter()
+        self._fruit: list[Fruit] = []
+
+    def go(self, progress: Progress) -> None:
+        """Feed every frame."""
+        for seen in self._prelude.seen:
+            began_s = time.perf_counter()
+            tracks = self._line.follow(seen.observation)
+            self._watch.frame(seen.perceived_s + time.perf_counter() - began_s)
+            self._fruit += self._line.fruit(tracks)
+            self._frames[seen.observation.sensor] += 1
+            if self._watch.frames % 50 == 0:
+                progress(0.0, f"{self._watch.frames} frames, {len(self._fruit)} fruit")
+        self._fruit += self._line.finish()
+
+    def report(self, station: Station) -> dict[str, Any]:
+        """Return the report."""
+        watching = self._prelude.watching
+        belt = self._tracker.belt
+        return report_value(
+            station.reference,
+            self._fruit,
+            watching.sensors_value(self._frames),
+            None if belt is None else belt.velocity_m_s,
+            [*watching.warnings(), *self._prelude.warnings],
+            self._watch.value(),
+        )
