@@ -1,1 +1,1 @@
-"""How sensors find each other and the belt, and how far that can be trusted."""
+"""How sensors find each other and the belt: surface, coarse, fine, graph, trust, error study."""

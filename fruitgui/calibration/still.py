@@ -1,0 +1,151 @@
+"""One picture from all captures of a still scene, and whether it stood still.
+
+Noise and quantisation of structured light are uniform in inverse depth
+(Khoshelham & Elberink 2012: σ_z = 1.4e-3 z², step 2.9e-3 z² for a Kinect v1),
+so captures are averaged and compared there. Noise of a reading dithers its
+quantisation, so the mean of many captures is finer than one step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from fruitgui.errors import InputError
+from fruitgui.frame import F32, U8, Bools, Frame, Intrinsics
+
+INVERSE_NOISE = 1.4e-3
+"""Standard deviation of a single inverse depth, 1/m; other technologies are quieter at these ranges."""
+
+INVERSE_STEP = 2.9e-3
+"""Quantisation step of inverse depth of a Kinect v1, 1/m."""
+
+MOST_FRAMES = 40
+"""More captures per sensor teach nothing: correlated errors no longer average out."""
+
+SAME_READING = 3.0 * (INVERSE_STEP + INVERSE_NOISE)
+"""Two readings of one surface differ by no more than this, 1/m (13 mm at 1 m)."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Still:
+    """What one sensor saw of a still scene, averaged over its captures.
+
+    Attributes:
+        sensor: the sensor's id.
+        intrinsics: of the picture.
+        inverse_depth: (H, W) mean 1/z in 1/m, 0 where most captures have no reading.
+        color: (H, W, 3) mean colour, RGB.
+        captures: how many captures were averaged.
+        moved: (H, W) true where the scene changed between captures.
+    """
+
+    sensor: str
+    intrinsics: Intrinsics
+    inverse_depth: F32
+    color: U8
+    captures: int
+    moved: Bools
+
+    @property
+    def seen(self) -> Bools:
+        """(H, W) true where there is a reading."""
+        return np.asarray(self.inverse_depth > 0)
+
+    def points(self) -> F32:
+        """Return every pixel's point in the optical frame, metres: (H, W, 3), zeros where no reading."""
+        z = np.zeros_like(self.inverse_depth)
+        np.divide(1.0, self.inverse_depth, out=z, where=self.inverse_depth > 0)
+        return np.concatenate([self.intrinsics.rays() * z[..., None], z[..., None]], axis=2)
+
+
+def average(frames: Sequence[Frame]) -> Still:
+    """Average the captures of one sensor, outliers of each pixel left out.
+
+    Raises:
+        InputError: no captures, or captures of different sizes.
+    """
+    chosen = _spread(sorted(frames, key=lambda frame: frame.time_s), MOST_FRAMES)
+    if not chosen:
+        raise InputError("no_frames", "A sensor gave no frames.", "Record a few seconds of the still scene.")
+    if len({frame.depth_mm.shape for frame in chosen}) != 1:
+        raise InputError(
+            "mixed_sizes",
+            f"Frames of {chosen[0].sensor} differ in size.",
+            "Record all frames of a sensor at one resolution.",
+        )
+    inverse = [_inverse_depth(frame) for frame in chosen]
+    return Still(
+        sensor=chosen[0].sensor,
+        intrinsics=chosen[0].intrinsics,
+        inverse_depth=_robust_mean(inverse),
+        color=np.mean([frame.color for frame in _spread(chosen, 9)], axis=0).round().astype(np.uint8),
+        captures=len(chosen),
+        moved=_moved(inverse),
+    )
+
+
+def _spread(frames: Sequence[Frame], most: int) -> list[Frame]:
+    """Return at most `most` frames, evenly spread from first to last."""
+    if len(frames) <= most:
+        return list(frames)
+    return [frames[i] for i in np.linspace(0, len(frames) - 1, most).round().astype(int)]
+
+
+def _inverse_depth(frame: Frame) -> F32:
+    z = frame.depth_mm.astype(np.float32)
+    inverse = np.zeros_like(z)
+    np.divide(np.float32(1000.0), z, out=inverse, where=(z > 0) & (z < 65535))
+    return inverse
+
+
+def _robust_mean(inverse: Sequence[F32]) -> F32:
+    """Return the mean of readings near the pixel's median, 0 where fewer than half the captures have one."""
+    few = inverse if len(inverse) <= 5 else [inverse[i] for i in np.linspace(0, len(inverse) - 1, 5).astype(int)]
+    middle = _median_of_readings(np.stack(few))
+    total = np.zeros_like(middle)
+    count = np.zeros_like(middle)
+    for one in inverse:
+        near = (np.abs(one - middle) < SAME_READING) & (one > 0)
+        total += np.where(near, one, 0)
+        count += near
+    enough = count * 2 >= len(inverse)
+    return np.divide(total, count, out=np.zeros_like(total), where=enough & (count > 0))
+
+
+def _median_of_readings(stack: F32) -> F32:
+    """Return the median over captures of the non-zero values, 0 where there is none: (K, H, W) → (H, W)."""
+    if len(stack) == 1:
+        return stack[0]
+    ordered = np.sort(stack, axis=0)  # zeros first
+    missing = (stack == 0).sum(axis=0)
+    rank = np.minimum(missing + (len(stack) - missing) // 2, len(stack) - 1)
+    return np.asarray(np.take_along_axis(ordered, rank[None], axis=0)[0])
+
+
+def _moved(inverse: Sequence[F32]) -> Bools:
+    """Return where groups of captures, in order of time, disagree over patches wider than any edge flickers.
+
+    Depth edges flicker by up to two pixels, in bands two pixels wide; something that moved by a
+    centimetre changes a patch at least five pixels wide somewhere.
+    """
+    height, width = inverse[0].shape
+    changed = np.zeros((height, width), dtype=np.uint8)
+    groups = [_robust_mean(group) for group in _in_groups(inverse, 5)]
+    patch = max(3, round(5 * width / 640)) | 1
+    kernel = np.ones((patch, patch), np.uint8)
+    captures = min(len(group) for group in _in_groups(inverse, 5))
+    bound = INVERSE_STEP + 5.0 * INVERSE_NOISE * np.sqrt(2.0 / captures)
+    for before, after in [(a, b) for i, a in enumerate(groups) for b in groups[i + 1 :]]:
+        differs = (np.abs(before - after) > bound) & (before > 0) & (after > 0)
+        changed |= cv2.morphologyEx(differs.astype(np.uint8), cv2.MORPH_OPEN, kernel)
+    return changed.astype(bool)
+
+
+def _in_groups(inverse: Sequence[F32], most: int) -> list[Sequence[F32]]:
+    groups = min(most, len(inverse))
+    bounds = np.linspace(0, len(inverse), groups + 1).round().astype(int)
+    return [inverse[a:b] for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
