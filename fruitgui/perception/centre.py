@@ -1,13 +1,19 @@
 """Where the middle of a fruit is, of which one sensor sees one half (method 4.2).
 
 A body that is symmetric about its centre has its centre behind the middle of its
-silhouette, whatever its shape and from wherever it is seen, and half as high as
-its top when it lies on a plane. Neither needs a model of the fruit, and both hold
-for opposed sensors alike: the mean of the seen points lies two thirds of a radius
-towards each of them. Pixels are weighted with their distance from the edge, which
-makes the silhouette's middle the centre of volume of a body of revolution (a disc
-of radius ρ weighs ρ², its silhouette only ρ) and takes the weight off the edges,
-that structured light moves by up to two pixels.
+silhouette, whatever its shape and from wherever it is seen. That gives the line
+of sight. The height follows from the body lying on the belt: for a ball of radius
+c the seen points, weighted with their distance s from the edge, are on average
+
+    ∫(c − s) √(c² − s²) s ds / ∫(c − s) s ds = (2 − 3π/8) c = 0.822 c
+
+nearer to the sensor than the centre, so their mean height is c + 0.822 c sin e
+at elevation e of the line of sight, and c follows. The same holds for an ellipsoid
+seen along an axis. The weights make the silhouette's middle the centre of volume
+of a body of revolution too (a disc of radius ρ weighs ρ², in its silhouette only
+ρ), and take the weight off the edges, which structured light moves by up to two
+pixels. The mean of the seen points lies two thirds of a radius towards each
+sensor; this estimate is the same from opposed sides.
 """
 
 from __future__ import annotations
@@ -16,16 +22,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fruitgui.frame import F64, Bools
+from fruitgui.frame import F32, F64, Bools
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.pixels import Pixels
 from fruitgui.perception.settings import PerceptionSettings
 
-ASYMMETRY = 0.03
-"""How far the middle of a real fruit's silhouette is from its centre of volume, as a part of its length (std)."""
+TOWARDS_SENSOR = 2.0 - 3.0 * np.pi / 8.0
+"""How far the seen points of a ball lie towards the sensor in the mean, in radii, weighted as above."""
+
+ASYMMETRY = 0.012
+"""How far the middle of a fruit's silhouette is from its centre of volume, as a part of its length (std)."""
 
 TOP_PART = 0.95
-"""Quantile of the heights that stands for the top; a sphere reaches 2.5 % of its radius higher."""
+"""Quantile of the heights that stands for the top; a ball reaches 2.5 % of its radius higher."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,56 +66,52 @@ def find_centres(
         limits: of the sensor.
         settings: noise of the sensor.
     """
-    top_m = _tops(pixels)
-    ray = _weighted_rays(pixels)
-    slope = -(ray @ limits.turn[2, :2] + limits.turn[2, 2])
-    z_m = (limits.offset_m - 0.5 * top_m) / np.maximum(slope, 1e-3)
-    centre = np.column_stack([ray * z_m[:, None], z_m])
+    top_m = find_tops(pixels)
+    weight = pixels.edge_px
+    sound = weight * pixels.valid
+    total, x, y, seen, height = pixels.sums(
+        weight, weight * pixels.ray_x, weight * pixels.ray_y, sound, sound * pixels.height_m
+    )
+    total, seen = np.maximum(total, 1e-9), np.maximum(seen, 1e-9)
+    ray = np.stack([x / total, y / total, np.ones_like(x)], axis=1)
+    slope = np.maximum(-(ray @ limits.turn[2]), 1e-3)
+    sine = slope / np.linalg.norm(ray, axis=1)
+    middle_m = np.clip(height / seen / (1.0 + TOWARDS_SENSOR * sine), 0.35 * top_m, 0.55 * top_m)
+    centre = ray * ((limits.offset_m - middle_m) / slope)[:, None]
     mean, mean_covariance = _means(pixels, limits, settings)
-    covariance = _covariances(centre, slope, length_m, whole, limits, settings)
+    covariance = _covariances(centre, sine, length_m, whole, limits, settings)
     return Centres(centre, covariance, mean, mean_covariance, top_m)
 
 
-def _tops(pixels: Pixels) -> F64:
-    """Return the height of the highest points of each fruit above the belt, (N,)."""
-    inner = pixels.valid * (pixels.edge_px > 1.5)
+def find_tops(pixels: Pixels) -> F64:
+    """Return the height of the highest points of each fruit above the belt, (N,), at least 1 mm."""
+    inner = (pixels.valid * (pixels.edge_px > 1.5)).astype(np.float32)
     high = pixels.quantiles(pixels.height_m, inner, 0.0, 0.256, (TOP_PART,))[:, 0]
-    return high * (1.0 + 0.25 * (1.0 - TOP_PART))
-
-
-def _weighted_rays(pixels: Pixels) -> F64:
-    weight = pixels.edge_px
-    total = np.maximum(pixels.sums(weight), 1e-9)
-    u, v = pixels.sums(weight * pixels.rays[:, 0]), pixels.sums(weight * pixels.rays[:, 1])
-    return np.stack([u / total, v / total], axis=1)
+    return np.asarray(np.maximum(high * (1.0 + 0.25 * (1.0 - TOP_PART)), 1e-3))
 
 
 def _means(pixels: Pixels, limits: DepthLimits, settings: PerceptionSettings) -> tuple[F64, F64]:
     """Return the mean of the seen points and its covariance: neighbouring errors are one error (method 1.2)."""
-    seen = np.maximum(pixels.sums(pixels.valid), 1.0)
-    x = pixels.sums(pixels.rays[:, 0] * pixels.depth_m) / seen
-    y = pixels.sums(pixels.rays[:, 1] * pixels.depth_m) / seen
-    z = pixels.sums(pixels.depth_m) / seen
-    mean = np.stack([x, y, z], axis=1)
-    patches = np.maximum(seen / 50.0, 1.0)
-    along = settings.noise_at_m(z) ** 2 / patches + settings.step_at_m(z) ** 2 / 12.0 / patches + (0.5e-3 * z) ** 2
-    across = (0.5 * z / limits.focal_px) ** 2
+    z_m: F32 = pixels.depth_m
+    seen, x, y, z = pixels.sums(pixels.valid, pixels.ray_x * z_m, pixels.ray_y * z_m, z_m)
+    seen = np.maximum(seen, 1.0)
+    mean = np.stack([x, y, z], axis=1) / seen[:, None]
+    patches = np.maximum(seen * pixels.every / 50.0, 1.0)
+    away = mean[:, 2]
+    along = (settings.noise_at_m(away) ** 2 + settings.step_at_m(away) ** 2 / 12.0) / patches + (0.5e-3 * away) ** 2
+    across = (0.5 * away / limits.focal_px) ** 2
     return mean, _about_ray(mean, along, across)
 
 
 def _covariances(
-    centre: F64, slope: F64, length_m: F64, whole: Bools, limits: DepthLimits, settings: PerceptionSettings
+    centre: F64, sine: F64, length_m: F64, whole: Bools, limits: DepthLimits, settings: PerceptionSettings
 ) -> F64:
     z = centre[:, 2]
-    distance = np.linalg.norm(centre, axis=1)
-    edge_m = 0.7 * z / limits.focal_px
-    sideways = edge_m**2 + (ASYMMETRY * length_m) ** 2
-    half_top = 0.5 * np.sqrt(
-        settings.noise_at_m(z) ** 2 + settings.step_at_m(z) ** 2 / 4.0 + 0.0015**2 + (ASYMMETRY * length_m) ** 2
-    )
-    sine = np.maximum(slope * z / distance, 0.2)
-    along = (half_top / sine) ** 2
-    hidden = np.where(whole, 0.0, (0.25 * length_m) ** 2)
+    shape = (ASYMMETRY * length_m) ** 2
+    sideways = (0.5 * z / limits.focal_px) ** 2 + shape
+    height = (0.3 * settings.noise_at_m(z)) ** 2 + (0.25 * settings.step_at_m(z)) ** 2 + 0.0005**2 + shape
+    along = height / np.maximum(sine, 0.2) ** 2
+    hidden = np.where(whole, 0.0, (0.12 * length_m) ** 2)
     return _about_ray(centre, along + hidden, sideways + hidden)
 
 

@@ -1,212 +1,121 @@
-"""What a fruit looks like, as numbers that light and distance do not change.
+"""The product's feature vector: what a fruit looks like and how it is shaped, whatever the light and the distance.
 
-Colours come from the fruit's own pixels, away from its edge, where neither the
-belt nor a widened edge mixes in. Brightness is compared with the belt's in the
-same picture; hue, saturation and chromaticity do not depend on it. Geometry is in
-metres. All fruit of a frame are worked out together.
+`shape_` features have no unit, `size_` features are logarithms of metres.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-import cv2
 import numpy as np
 
-from fruitgui.frame import F32, F64, U8
+from fruitgui.frame import F32, F64
+from fruitgui.perception.colour import COLOUR_NAMES
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.outline import Ellipses
 from fruitgui.perception.pixels import Pixels
 
-HUE_BINS, SATURATION_BINS, VALUE_BINS = 16, 8, 8
-
-COLOUR_NAMES = (
-    *(f"hue_{i}" for i in range(HUE_BINS)),
-    *(f"saturation_{i}" for i in range(SATURATION_BINS)),
-    *(f"relative_value_{i}" for i in range(VALUE_BINS)),
-    "red_share",
-    "green_share",
-    "red_share_std",
-    "green_share_std",
-    "hue_cosine",
-    "hue_sine",
-    "hue_strength",
-    "saturation_mean",
-    "saturation_std",
-    "log_value_to_belt",
-    "log_red_to_belt",
-    "log_green_to_belt",
-    "log_blue_to_belt",
-    "value_contrast",
-    "value_texture",
-)
-
 SHAPE_NAMES = (
-    "height_m",
-    "length_m",
-    "width_m",
-    "area_m2",
-    "volume_m3",
-    "width_to_length",
-    "height_to_width",
-    "fill",
-    "solidity",
-    "ellipse_error",
-    "lopsidedness",
-    "height_p20",
-    "height_p50",
-    "height_p80",
-    "sphere_radius_m",
-    "sphere_residual",
+    "shape_width_to_length",
+    "shape_height_to_width",
+    "shape_height_to_root_area",
+    "shape_fill",
+    "shape_solidity",
+    "shape_ellipse_error",
+    "shape_tips",
+    "shape_lopsidedness",
+    "shape_height_p20",
+    "shape_height_p50",
+    "shape_height_p80",
+    "shape_flat_share",
+    "shape_sphere_radius",
+    "shape_sphere_residual",
 )
+SIZE_NAMES = ("size_height", "size_length", "size_width", "size_root_area")
 
-FEATURE_NAMES: tuple[str, ...] = (*COLOUR_NAMES, *SHAPE_NAMES)
+FEATURE_NAMES: tuple[str, ...] = (*COLOUR_NAMES, *SHAPE_NAMES, *SIZE_NAMES)
 """The names of `FruitView.features`, in order."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class BeltColour:
-    """Mean linear RGB of the belt in the picture, (3,), at least 1."""
+def shape_features(pixels: Pixels, ellipses: Ellipses, top_m: F64, away_m: F64, limits: DepthLimits) -> F64:
+    """Return shape and size features (N, 18).
 
-    rgb: F64
-
-
-def belt_colour(color: U8, labels: U8, crop: tuple[slice, slice], every: int = 8) -> BeltColour:
-    """Return the belt's colour: the median of the pixels of the crop that are no fruit, on a coarse grid."""
-    grid = color[crop][::every, ::every]
-    bare = grid[labels[::every, ::every] == 0]
-    if len(bare) < 16:
-        bare = grid.reshape(-1, 3)
-    return BeltColour(np.maximum(np.median(bare, axis=0), 1.0))
-
-
-def shape_features(
-    pixels: Pixels, ellipses: Ellipses, top_m: F64, centre_m: F64, limits: DepthLimits
-) -> tuple[F64, F64]:
-    """Return the shape features (N, 16), and the length (N,) in metres."""
-    scale = centre_m[:, 2] / limits.focal_px
+    Args:
+        pixels: of all fruit.
+        ellipses: fitted to their outlines.
+        top_m: (N,) height of their tops above the belt.
+        away_m: (N,) distance of their centres along z.
+        limits: of the sensor.
+    """
+    scale = away_m / limits.focal_px
     length, width = ellipses.axes_px.T * scale
-    area = ellipses.area_px * scale**2
+    root_area = np.sqrt(np.maximum(ellipses.area_px, 1.0)) * scale
     heights = pixels.quantiles(pixels.height_m, pixels.valid, 0.0, 0.256, (0.2, 0.5, 0.8)) / top_m[:, None]
-    radius, residual = _spheres(pixels, top_m)
+    flat = (pixels.valid * (pixels.height_m > (0.9 * top_m).astype(np.float32).take(pixels.owner))).astype(np.float32)
+    flat_sum, seen = pixels.sums(flat, pixels.valid)
+    radius, residual = fit_spheres(pixels)
     columns = [
-        top_m,
-        length,
-        width,
-        area,
-        np.pi / 6.0 * top_m * length * width,
         width / length,
         top_m / width,
+        top_m / root_area,
         ellipses.area_px / (np.pi / 4.0 * ellipses.axes_px.prod(axis=1)),
         ellipses.solidity,
         ellipses.error,
+        ellipses.tips,
         _lopsidedness(pixels, ellipses, limits),
         *heights.T,
-        radius,
-        residual,
+        flat_sum / np.maximum(seen, 1.0),
+        np.log(2.0 * radius / top_m),
+        np.minimum(residual / top_m, 1.0),
+        *np.log(np.stack([top_m, length, width, root_area])),
     ]
-    return np.stack(columns, axis=1), length
+    return np.stack(columns, axis=1)
 
 
 def _lopsidedness(pixels: Pixels, ellipses: Ellipses, limits: DepthLimits) -> F64:
     """Return how unlike the two ends of the longer axis are: skewness of the silhouette along it, (N,)."""
-    columns = limits.shape[1]
-    u = (pixels.index % columns) - ellipses.centre_px[pixels.owner, 0]
-    v = (pixels.index // columns) - ellipses.centre_px[pixels.owner, 1]
-    along = u * np.cos(ellipses.angle_rad)[pixels.owner] + v * np.sin(ellipses.angle_rad)[pixels.owner]
-    along -= (pixels.sums(along) / pixels.counts)[pixels.owner]
-    second, third = pixels.sums(along**2) / pixels.counts, pixels.sums(along**3) / pixels.counts
-    return np.asarray(np.abs(third) / np.maximum(second, 1e-9) ** 1.5)
+    row, column = np.divmod(pixels.index, limits.shape[1])
+    axis = np.stack([np.cos(ellipses.angle_rad), np.sin(ellipses.angle_rad)]) / ellipses.axes_px[:, 0]
+    shift = (axis * ellipses.centre_px.T).sum(axis=0).astype(np.float32)
+    u_part, v_part = axis.astype(np.float32)
+    along = column.astype(np.float32) * u_part.take(pixels.owner) + row.astype(np.float32) * v_part.take(pixels.owner)
+    along -= shift.take(pixels.owner)
+    square = along * along
+    first, second, third = pixels.sums(along, square, square * along) / np.maximum(pixels.counts, 1)
+    variance = np.maximum(second - first**2, 1e-9)
+    return np.asarray(np.abs(third - 3.0 * first * second + 2.0 * first**3) / variance**1.5)
 
 
-def _spheres(pixels: Pixels, top_m: F64) -> tuple[F64, F64]:
-    """Return radius (N,) of the sphere fitted to each fruit's inner points, and rms distance from it / height."""
-    weight = pixels.valid * (pixels.edge_px > 2.5)
-    weight = np.where(pixels.sums(weight)[pixels.owner] < 12, pixels.valid, weight).astype(np.float64)
-    points = np.concatenate([pixels.rays * pixels.depth_m[:, None], pixels.depth_m[:, None]], axis=1).astype(np.float64)
-    total = np.maximum(pixels.sums(weight), 1.0)
-    middle = np.stack([pixels.sums(points[:, k] * weight) / total for k in range(3)], axis=1)
-    points -= middle[pixels.owner]
-    square = (points**2).sum(axis=1)
-    design = np.column_stack([2.0 * points, np.ones(len(points)), square]) * np.sqrt(weight)[:, None]
-    gram = np.add.reduceat(design[:, :, None] * design[:, None, :], pixels.starts, axis=0)
-    normal = gram[:, :4, :4] + 1e-9 * np.eye(4)
-    solution = np.linalg.solve(normal, gram[:, :4, 4:])[:, :, 0]
-    radius = np.sqrt(np.maximum(solution[:, 3] + (solution[:, :3] ** 2).sum(axis=1), 1e-8))
-    left = gram[:, 4, 4] - (solution * gram[:, :4, 4]).sum(axis=1)
-    rms = np.sqrt(np.maximum(left, 0.0) / total) / (2.0 * radius)
-    return np.minimum(radius, 0.5), np.minimum(rms / top_m, 1.0)
+def fit_spheres(pixels: Pixels) -> tuple[F64, F64]:
+    """Return radius (N,) of the sphere fitted to each fruit's inner points (least squares), and rms distance from it.
+
+    |p|² = 2 c·p + (r² − |c|²) is linear in c and the last term (Coope 1993).
+    """
+    weight = (pixels.valid * (pixels.edge_px > 2.5)).astype(np.float32)
+    few = pixels.sums(weight) < 12
+    if few.any():
+        weight = np.where(few.take(pixels.owner), pixels.valid, weight)
+    x, y, z, total = _centred(pixels, weight)
+    square = x * x + y * y + z * z
+    wx, wy, wz, ws = weight * x, weight * y, weight * z, weight * square
+    xx, xy, xz, yy, yz, zz, sx, sy, sz, ss, s = (
+        pixels.sums(wx * x, wx * y, wx * z, wy * y, wy * z, wz * z, ws * x, ws * y, ws * z, ws * square, ws) / total
+    )
+    matrix = np.stack([xx, xy, xz, xy, yy, yz, xz, yz, zz], axis=1).reshape(-1, 3, 3)
+    # Relative to the points' mean the linear terms vanish, so the constant is the mean square.
+    right = np.stack([sx, sy, sz], axis=1)
+    ridge = 1e-4 * np.trace(matrix, axis1=1, axis2=2)[:, None, None] * np.eye(3) + 1e-12 * np.eye(3)
+    centre = 0.5 * np.linalg.solve(matrix + ridge, right[:, :, None])[:, :, 0]
+    radius = np.sqrt(np.maximum(s + (centre**2).sum(axis=1), 1e-8))
+    left = ss - s**2 - 2.0 * (centre * right).sum(axis=1)
+    return np.clip(radius, 1e-3, 0.5), np.sqrt(np.maximum(left, 0.0)) / (2.0 * radius)
 
 
-def colour_features(pixels: Pixels, color: U8, belt: BeltColour, limits: DepthLimits) -> F64:
-    """Return the colour features (N, 47) from the inner pixels of each fruit."""
-    deepest = np.maximum.reduceat(pixels.edge_px, pixels.starts)
-    inner = np.flatnonzero(pixels.edge_px > np.minimum(3.0, 0.4 * deepest)[pixels.owner])
-    owner, fruit = pixels.owner[inner], pixels.fruit
-    rgb = color.reshape(-1, 3).take(limits.pixels.take(pixels.index.take(inner)), axis=0)
-    hsv = cv2.cvtColor(rgb[None], cv2.COLOR_RGB2HSV_FULL)[0]
-    return _Colours(owner, fruit, rgb.astype(np.float32), hsv, belt.rgb).features()
-
-
-class _Colours:
-    """Colour statistics of all fruit at once."""
-
-    def __init__(self, owner: np.ndarray, fruit: int, rgb: F32, hsv: U8, belt_rgb: F64) -> None:
-        self._owner, self._fruit, self._rgb, self._hsv, self._belt = owner, fruit, rgb, hsv, belt_rgb
-        self._count = np.maximum(np.bincount(owner, minlength=fruit), 1.0)
-
-    def _mean(self, values: np.ndarray) -> F64:
-        return np.asarray(np.bincount(self._owner, weights=values, minlength=self._fruit) / self._count)
-
-    def _histogram(self, bins: np.ndarray, count: int, weights: np.ndarray | None = None) -> F64:
-        flat = np.bincount(self._owner * count + bins, weights=weights, minlength=self._fruit * count)
-        table = flat.reshape(self._fruit, count).astype(np.float64)
-        return np.asarray(table / np.maximum(table.sum(axis=1, keepdims=True), 1e-9))
-
-    def features(self) -> F64:
-        hue, saturation, value = (self._hsv[:, k].astype(np.intp) for k in range(3))
-        mean_value = np.maximum(self._mean(value), 1.0)
-        relative = np.clip(value * (VALUE_BINS / 2.0) / mean_value[self._owner], 0, VALUE_BINS - 1).astype(np.intp)
-        # A grey pixel has no hue: every pixel votes with its chroma.
-        chroma = (saturation * value).astype(np.float64) + 1e-3
-        return np.column_stack(
-            [
-                self._histogram(hue * HUE_BINS // 256, HUE_BINS, chroma),
-                self._histogram(saturation * SATURATION_BINS // 256, SATURATION_BINS),
-                self._histogram(relative, VALUE_BINS),
-                *self._chromaticity(),
-                *self._hue_moments(hue, chroma),
-                *self._moments(saturation / 255.0),
-                *self._against_belt(mean_value),
-                self._moments(value.astype(np.float64))[1] / mean_value,
-                self._texture(value) / mean_value,
-            ]
-        )
-
-    def _moments(self, values: np.ndarray) -> tuple[F64, F64]:
-        mean = self._mean(values)
-        return mean, np.sqrt(np.maximum(self._mean(values**2) - mean**2, 0.0))
-
-    def _chromaticity(self) -> tuple[F64, ...]:
-        total = self._rgb.sum(axis=1) + 1.0
-        red, green = self._moments(self._rgb[:, 0] / total), self._moments(self._rgb[:, 1] / total)
-        return red[0], green[0], red[1], green[1]
-
-    def _hue_moments(self, hue: np.ndarray, chroma: F64) -> tuple[F64, ...]:
-        angle = hue * (2.0 * np.pi / 256.0)
-        total = np.maximum(self._mean(chroma), 1e-9)
-        cosine, sine = self._mean(np.cos(angle) * chroma) / total, self._mean(np.sin(angle) * chroma) / total
-        strength = np.hypot(cosine, sine)
-        return cosine, sine, strength
-
-    def _against_belt(self, mean_value: F64) -> tuple[F64, ...]:
-        means = [np.maximum(self._mean(self._rgb[:, k]), 1.0) for k in range(3)]
-        return (
-            np.log(mean_value / self._belt.max()),
-            *(np.log(mean / belt) for mean, belt in zip(means, self._belt, strict=True)),
-        )
-
-    def _texture(self, value: np.ndarray) -> F64:
-        """Return the mean step of brightness between neighbouring pixels of a fruit."""
-        step = np.abs(np.diff(value, prepend=value[:1])).astype(np.float64)
-        return self._mean(np.minimum(step, 40.0))
+def _centred(pixels: Pixels, weight: F32) -> tuple[F32, F32, F32, F64]:
+    """Return the points relative to the weighted mean of their fruit's, and each fruit's weight."""
+    z = pixels.depth_m
+    points = (pixels.ray_x * z, pixels.ray_y * z, z)
+    total, *sums = pixels.sums(weight, *(weight * part for part in points))
+    total = np.maximum(total, 1.0)
+    x, y, z = (
+        part - (middle / total).astype(np.float32).take(pixels.owner) for part, middle in zip(points, sums, strict=True)
+    )
+    return x, y, z, total

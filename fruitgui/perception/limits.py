@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -23,7 +24,7 @@ class DepthLimits:
         nearest_mm, farthest_mm: (h, w) uint16; a reading within them is above the belt, inside the region.
         slope: (h, w) float32; height above the belt is offset_m − slope · depth_m.
         offset_m: height of the sensor above the belt.
-        rays: (h·w, 2) float32, x/z and y/z of every pixel.
+        ray_x, ray_y: (h·w,) float32, x/z and y/z of every pixel.
         pixels: (h·w,) index of every pixel in the flattened picture.
         belt_z_m: median distance of the belt along z inside the crop.
         focal_px: geometric mean of the focal lengths.
@@ -37,7 +38,8 @@ class DepthLimits:
     farthest_mm: U16
     slope: F32
     offset_m: float
-    rays: F32
+    ray_x: F32
+    ray_y: F32
     pixels: Ints
     belt_z_m: float
     focal_px: float
@@ -50,6 +52,10 @@ class DepthLimits:
         """Rows and columns of the crop."""
         return (int(self.nearest_mm.shape[0]), int(self.nearest_mm.shape[1]))
 
+    def thinned(self, down: int, across: int) -> Ints:
+        """Return the indices, in the flattened crop, of every `down`-th row's every `across`-th pixel."""
+        return _thinned(*self.shape, down, across)
+
     def inside_m(self, points_m: F64) -> F64:
         """Return how far points (N, 3) of the optical frame are inside the region's edge, (N,); inf without one."""
         if len(self.edges) == 0:
@@ -60,6 +66,11 @@ class DepthLimits:
     def pixels_of(self, length_m: float, z_m: float) -> float:
         """Return how many pixels a length at distance z spans."""
         return length_m * self.focal_px / z_m
+
+
+@lru_cache(maxsize=64)
+def _thinned(rows: int, columns: int, down: int, across: int) -> Ints:
+    return np.arange(rows * columns, dtype=np.intp).reshape(rows, columns)[::down, ::across].reshape(-1)
 
 
 def depth_limits(intrinsics: Intrinsics, surface: Surface, settings: PerceptionSettings) -> DepthLimits:
@@ -84,7 +95,8 @@ def depth_limits(intrinsics: Intrinsics, surface: Surface, settings: PerceptionS
         farthest_mm=np.ascontiguousarray(farthest_mm[crop]),
         slope=np.ascontiguousarray(slope[crop], dtype=np.float32),
         offset_m=float(plane.offset_m),
-        rays=np.ascontiguousarray(rays[crop].reshape(-1, 2), dtype=np.float32),
+        ray_x=rays[crop][..., 0].astype(np.float32).reshape(-1),
+        ray_y=rays[crop][..., 1].astype(np.float32).reshape(-1),
         pixels=np.ascontiguousarray(index[crop].reshape(-1)),
         belt_z_m=float(np.median(belt_z[inside])) if inside.any() else float(plane.offset_m),
         focal_px=float(np.sqrt(intrinsics.fx * intrinsics.fy)),

@@ -9,7 +9,8 @@ from fruitgui.errors import InputError
 from fruitgui.frame import F32, F64, U8, Bools, Frame, Intrinsics
 from fruitgui.geometry.plane import Surface
 from fruitgui.perception.centre import Centres, find_centres
-from fruitgui.perception.features import belt_colour, colour_features, shape_features
+from fruitgui.perception.colour import belt_colour, colour_features
+from fruitgui.perception.features import shape_features
 from fruitgui.perception.limits import DepthLimits, depth_limits
 from fruitgui.perception.outline import Ellipses, fit_ellipses
 from fruitgui.perception.pixels import Pixels, gather_pixels
@@ -87,9 +88,10 @@ class Perceiver:
         ellipses = fit_ellipses(parts.contours)
         rough = ellipses.axes_px[:, 0] * limits.belt_z_m / limits.focal_px
         centres = find_centres(pixels, rough, whole, limits, self._settings)
-        shapes, length = shape_features(pixels, ellipses, centres.top_m, centres.centre_m, limits)
-        belt = belt_colour(color, parts.labels, limits.crop)
+        shapes = shape_features(pixels, ellipses, centres.top_m, centres.centre_m[:, 2], limits)
+        belt = belt_colour(color, parts.labels, limits)
         features = np.hstack([colour_features(pixels, color, belt, limits), shapes]).astype(np.float32)
+        length = ellipses.axes_px[:, 0] * centres.centre_m[:, 2] / limits.focal_px
         kept = np.flatnonzero(self._is_fruit(pixels, centres, length))
         return tuple(
             self._view(frame, color, parts, pixels, ellipses, centres, features[number], bool(whole[number]), int(number))
@@ -99,7 +101,7 @@ class Perceiver:
     def _is_fruit(self, pixels: Pixels, centres: Centres, length_m: F64) -> Bools:
         """Tell which groups can be something of a fruit's size: not noise, not rails."""
         seen = pixels.sums(pixels.valid)
-        deepest = np.maximum.reduceat(pixels.edge_px, pixels.starts)
+        deepest = np.maximum.reduceat(pixels.edge_px, np.minimum(pixels.starts, len(pixels.owner) - 1))
         thickness_m = 2.0 * deepest * centres.centre_m[:, 2] / self._limits.focal_px
         return np.asarray(
             (seen >= 0.3 * pixels.counts)
@@ -135,7 +137,7 @@ class Perceiver:
             outline_px=contour.astype(np.float32),
             points_m=points,
             edge_px=edge_px,
-            area_px=int(pixels.counts[number]),
+            area_px=int(pixels.counts[number]) * pixels.every,
             centre_m=centres.centre_m[number],
             centre_covariance_m2=centres.centre_covariance_m2[number],
             mean_m=centres.mean_m[number],
@@ -154,9 +156,7 @@ class Perceiver:
         if len(seen) > self._settings.max_points:
             seen = seen[np.linspace(0, len(seen) - 1, self._settings.max_points).astype(np.intp)]
         z = pixels.depth_m[seen]
-        points = np.empty((len(seen), 3), np.float32)
-        points[:, :2] = pixels.rays[seen] * z[:, None]
-        points[:, 2] = z
+        points = np.stack([pixels.ray_x[seen] * z, pixels.ray_y[seen] * z, z], axis=1)
         return points, pixels.edge_px[seen]
 
 

@@ -65,8 +65,7 @@ def _at_the_region(places: Ints, solid: U8, depth_mm: U16, limits: DepthLimits) 
     flat = places[:, 1] * limits.shape[1] + places[:, 0]
     z_m = depth_mm.reshape(-1).take(limits.pixels.take(flat)) * 1e-3
     sound = (solid.reshape(-1).take(flat) != 0) & (z_m > 0)
-    rays = limits.rays.take(flat, axis=0)
-    points = np.column_stack([rays * z_m[:, None], z_m])
+    points = np.stack([limits.ray_x.take(flat) * z_m, limits.ray_y.take(flat) * z_m, z_m], axis=1)
     return np.asarray(sound & (limits.inside_m(points) < limits.inset_m + 2.0 * limits.belt_z_m / limits.focal_px))
 
 

@@ -1,0 +1,158 @@
+"""The colours of fruit as numbers that light changes little or in a known way.
+
+Only pixels well inside a fruit count: neither the belt nor a widened edge mixes
+in. Names tell how a feature behaves when the light gets brighter: `chroma_` do
+not change, `light_` shift by a constant, `texture_` do not change. The belt
+around the fruit serves as a grey card.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from fruitgui.frame import F32, F64, U8, Ints
+from fruitgui.perception.limits import DepthLimits
+from fruitgui.perception.pixels import Pixels, grouped_quantiles, grouped_sums
+
+CHROMA_NAMES = (
+    "chroma_red_green_p10",
+    "chroma_red_green_p50",
+    "chroma_red_green_p90",
+    "chroma_blue_green_p10",
+    "chroma_blue_green_p50",
+    "chroma_blue_green_p90",
+    "chroma_red_mean",
+    "chroma_red_std",
+    "chroma_green_mean",
+    "chroma_green_std",
+    "chroma_hue_cosine",
+    "chroma_hue_sine",
+    "chroma_hue_strength",
+    "chroma_saturation_mean",
+    "chroma_saturation_std",
+    "chroma_red_green_to_belt",
+    "chroma_blue_green_to_belt",
+    "chroma_value_to_belt",
+    "chroma_reddish_share",
+    "chroma_greenish_share",
+)
+LIGHT_NAMES = ("light_value_p50",)
+TEXTURE_NAMES = ("texture_spread", "texture_dark", "texture_bright", "texture_step", "texture_specular_share")
+COLOUR_NAMES = (*CHROMA_NAMES, *LIGHT_NAMES, *TEXTURE_NAMES)
+
+DARK_LEVEL = 4.0
+"""Added to levels before logarithms and ratios: noise in the dark must not look like colour."""
+
+LOGARITHM: F32 = np.log(np.arange(256, dtype=np.float32) + np.float32(DARK_LEVEL))
+LOGARITHM.setflags(write=False)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BeltColour:
+    """The belt's colour in one picture.
+
+    Attributes:
+        red_green, blue_green: logarithms of its channels' ratios.
+        value: logarithm of its green level.
+    """
+
+    red_green: float
+    blue_green: float
+    value: float
+
+
+def belt_colour(color: U8, labels: U8, limits: DepthLimits, every: int = 8) -> BeltColour:
+    """Return the belt's colour: medians over a coarse grid of the pixels of the crop that can hold fruit and do not."""
+    grid = color[limits.crop][::every, ::every].reshape(-1, 3)
+    bare = np.flatnonzero((labels[::every, ::every] == 0) & (limits.farthest_mm[::every, ::every] > 0))
+    logs = LOGARITHM[grid[bare] if len(bare) >= 16 else grid]
+    red_green, blue_green, value = np.median(
+        np.stack([logs[:, 0] - logs[:, 1], logs[:, 2] - logs[:, 1], logs[:, 1]]), axis=1
+    ).tolist()
+    return BeltColour(red_green, blue_green, value)
+
+
+def colour_features(pixels: Pixels, color: U8, belt: BeltColour, limits: DepthLimits) -> F64:
+    """Return the colour features (N, 26) of each fruit, from pixels at least three from its edge where it has such.
+
+    Args:
+        pixels: of all fruit.
+        color: (height, width, 3) RGB, contiguous.
+        belt: its colour in the same picture.
+        limits: of the sensor.
+    """
+    deepest = np.maximum.reduceat(pixels.edge_px, np.minimum(pixels.starts, len(pixels.edge_px) - 1))
+    inner = np.flatnonzero(pixels.edge_px > np.minimum(3.0, 0.5 * deepest).astype(np.float32).take(pixels.owner))
+    owner = pixels.owner.take(inner)
+    at = limits.pixels.take(pixels.index.take(inner))
+    picture = color.reshape(-1, 3)
+    rgb = picture.take(at, axis=0)
+    beside = picture[:, 1].take(np.minimum(at + 1, len(picture) - 1))
+    return _Inner(owner, pixels.fruit, rgb, beside).features(belt)
+
+
+class _Inner:
+    """Inner pixels of all fruit, sorted by fruit; M pixels."""
+
+    def __init__(self, owner: Ints, fruit: int, rgb: U8, beside: U8) -> None:
+        self._owner, self._fruit = owner, fruit
+        self._red, self._green, self._blue = (np.ascontiguousarray(rgb[:, k]) for k in range(3))
+        self._beside = beside
+        self._counts = np.bincount(owner, minlength=fruit)
+        self._starts = np.concatenate([[0], np.cumsum(self._counts)[:-1]]).astype(np.intp)
+        self._log_green = LOGARITHM.take(self._green)
+        self._red_green = LOGARITHM.take(self._red) - self._log_green
+        self._blue_green = LOGARITHM.take(self._blue) - self._log_green
+
+    def _means(self, *values: F32) -> F64:
+        return grouped_sums(self._starts, self._counts, *values) / np.maximum(self._counts, 1)
+
+    def _quantiles(self, values: F32, low: float, high: float) -> F64:
+        return grouped_quantiles(self._owner, self._fruit, values, None, (low, high), (0.1, 0.5, 0.9))
+
+    def features(self, belt: BeltColour) -> F64:
+        """Return (N, 26) in the order of `COLOUR_NAMES`."""
+        red_green = self._quantiles(self._red_green, -3.0, 3.0)
+        blue_green = self._quantiles(self._blue_green, -4.0, 2.0)
+        value = self._quantiles(self._log_green, 1.0, 5.6)
+        columns = [
+            *red_green.T,
+            *blue_green.T,
+            *self._chromaticity(),
+            red_green[:, 1] - belt.red_green,
+            blue_green[:, 1] - belt.blue_green,
+            value[:, 1] - belt.value,
+            *self._means((self._red_green > 0.35).astype(np.float32), (self._red_green < 0.02).astype(np.float32)),
+            value[:, 1],
+            *self._texture(value),
+        ]
+        return np.stack(columns, axis=1)
+
+    def _chromaticity(self) -> list[F64]:
+        """Return shares of red and green with their spread, the mean hue as a vector, and saturation."""
+        red, green, blue = (channel.astype(np.float32) for channel in (self._red, self._green, self._blue))
+        scale = np.float32(1.0) / (red + green + blue + np.float32(3.0 * DARK_LEVEL))
+        r, g = (red + np.float32(DARK_LEVEL)) * scale, (green + np.float32(DARK_LEVEL)) * scale
+        cosine, sine = (red - (green + blue) * np.float32(0.5)) * scale, (green - blue) * (np.float32(0.866) * scale)
+        square = cosine * cosine + sine * sine
+        saturation = np.sqrt(square)
+        means = self._means(r, r * r, g, g * g, cosine, sine, saturation, square)
+        red_std, green_std = _spread(means[0], means[1]), _spread(means[2], means[3])
+        chroma = np.maximum(means[6], 1e-6)
+        hue = [means[4] / chroma, means[5] / chroma]
+        return [means[0], red_std, means[2], green_std, *hue, np.hypot(*hue), means[6], _spread(means[6], means[7])]
+
+    def _texture(self, value: F64) -> list[F64]:
+        """Return how uneven brightness is, over the fruit and from pixel to pixel, beside its own mean."""
+        green = self._green.astype(np.float32)
+        step = np.minimum(np.abs(LOGARITHM.take(self._beside) - self._log_green), np.float32(0.7))
+        shiny = (self._log_green > (value[:, 1] + 0.5).astype(np.float32).take(self._owner)).astype(np.float32)
+        mean, square, step_mean, shiny_mean = self._means(green, green * green, step, shiny)
+        spread = _spread(mean, square) / (mean + DARK_LEVEL)
+        return [spread, value[:, 0] - value[:, 1], value[:, 2] - value[:, 1], step_mean, shiny_mean]
+
+
+def _spread(mean: F64, square: F64) -> F64:
+    return np.asarray(np.sqrt(np.maximum(square - mean * mean, 0.0)))
