@@ -9,9 +9,8 @@ import numpy as np
 
 from fruitgui.frame import F64
 from fruitgui.measurement.harmonics import sphere_points
-from fruitgui.measurement.shape import GRID, Shape
+from fruitgui.measurement.shape import GRID, SIX, Shape
 
-SIX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,4 +1,4 @@
-"""All views of one track as points over the belt, with how far each may be trusted."""
+"""All views of one track as points and outlines over the belt, with how far each may be trusted."""
 
 from __future__ import annotations
 
@@ -14,16 +14,21 @@ from fruitgui.geometry.rotation import rotation_between
 from fruitgui.perception.view import FruitView
 from fruitgui.tracking.track import Sighting, Track
 
-POINTS_IN_ALL = 3200
-"""Points that a fit uses. More only repeat each other: neighbouring errors are correlated by the matching window."""
+VIEWS_IN_ALL = 56
+POINTS_IN_ALL = 1350
+POINTS_PER_VIEW = (18, 90)
+"""More points only repeat each other: neighbouring errors are correlated by the matching window."""
 
-POINTS_PER_VIEW = (24, 110)
-VIEWS_IN_ALL = 72
+RIM_IN_ALL = 700
+RIM_PER_VIEW = (10, 36)
 
-EDGE_PX = 3.0
+EDGE_PX = 4.0
 """Points nearer to the edge of their picture than this lie: structured light fattens edges by up to two pixels."""
 
 LEAST_POINTS = 8
+
+WINDOW_PX2 = 45.0
+"""Pixels that share one error: the matching window of a Kinect is 9 × 9, and half its overlap still counts."""
 
 SIGMA_PER_Z2 = 1.4e-3
 """Random error of a Kinect's depth, metres at 1 m, growing with z² (Khoshelham & Elberink 2012)."""
@@ -34,38 +39,64 @@ STEP_PER_Z2 = 2.9e-3
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Evidence:
-    """V views of one fruit, M points each (padded), in the belt frame: z up, z = 0 on the belt.
+    """V views of one fruit, M samples each (padded), in the belt frame: z up, z = 0 on the belt.
 
-    Heights are over the belt as each sensor itself sees it, so that a sensor's
-    depth bias, which its belt shares, drops out of them.
+    The first `points` samples of a view are points that it saw; the others lie
+    on the sights along its outline, which touch the fruit somewhere. Heights
+    are over the belt as each sensor itself sees it, so that a sensor's depth
+    bias, which its belt shares, drops out of them.
 
     Attributes:
-        points_m: (V, M, 3).
+        samples_m: (V, M, 3).
         used: (V, M) false where padded.
-        sight: (V, M, 3) unit vectors from the sensor to the points.
+        points: how many samples of each view are points.
+        sight: (V, M, 3) unit vectors from the sensor to the samples.
         depth_sigma_m: (V, M) standard deviation along the sight.
-        pixel_m: (V, M) size of a pixel at the point.
+        pixel_m: (V, M) size of a pixel at the sample.
+        share: (V,) what one point counts, where they are closer than errors are independent.
         time_s: (V,) since the middle of the track.
         sensor: (V,) index into `sensors`.
         sensors: ids.
-        sensor_place_m: (S, 3) where the sensors are.
+        axes: (S, 3, 3) rows are the picture's x, y and depth directions.
         offset_sigma_m: (S,) standard deviation of a sensor's common shift against the others, along the belt.
         centre_m: (V, 3) first guess of the fruit's centre in each view.
         height_m: first guess of the fruit's height.
     """
 
-    points_m: F64
+    samples_m: F64
     used: Bools
+    points: int
     sight: F64
     depth_sigma_m: F64
     pixel_m: F64
+    share: F64
     time_s: F64
     sensor: Ints
     sensors: tuple[str, ...]
-    sensor_place_m: F64
+    axes: F64
     offset_sigma_m: F64
     centre_m: F64
     height_m: float
+
+    def thinned(self, every: int) -> Evidence:
+        """Return every so many samples of each kind: enough for the first steps of a fit."""
+        kept = np.r_[0 : self.points : every, self.points : self.samples_m.shape[1] : every]
+        return Evidence(
+            self.samples_m[:, kept],
+            self.used[:, kept],
+            len(range(0, self.points, every)),
+            self.sight[:, kept],
+            self.depth_sigma_m[:, kept],
+            self.pixel_m[:, kept],
+            self.share,
+            self.time_s,
+            self.sensor,
+            self.sensors,
+            self.axes,
+            self.offset_sigma_m,
+            self.centre_m,
+            self.height_m,
+        )
 
 
 class _Place(NamedTuple):
@@ -73,6 +104,15 @@ class _Place(NamedTuple):
 
     pose: Pose
     offset_sigma_m: float
+    mount: Mount
+
+
+class _Packed(NamedTuple):
+    """One view's samples in its sensor's frame."""
+
+    samples_m: F64
+    used: Bools
+    share: float
 
 
 def gather(track: Track, rig: Rig) -> Evidence | None:
@@ -83,24 +123,33 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
         return None
     sensors = tuple(sorted({s.view.sensor for s in chosen}))
     belt = rig.belt_frame()
-    places = {name: _place(rig.mounts[name], belt, _middle(chosen, name)) for name in sensors}
-    per_view = int(np.clip(POINTS_IN_ALL // len(chosen), *POINTS_PER_VIEW))
-    packed = [_pack(s.view, places[s.view.sensor].pose, per_view, rig.mounts[s.view.sensor]) for s in chosen]
-    points, used, sight, sigma, pixel = (np.stack(part) for part in zip(*packed, strict=True))
+    places = [_place(rig.mounts[name], belt, _middle(chosen, name)) for name in sensors]
+    sensor = np.array([sensors.index(s.view.sensor) for s in chosen])
+    points = int(np.clip(POINTS_IN_ALL // len(chosen), *POINTS_PER_VIEW))
+    rim = int(np.clip(RIM_IN_ALL // len(chosen), *RIM_PER_VIEW))
+    packed = [_pack(s.view, places[k].mount, points, rim) for s, k in zip(chosen, sensor, strict=True)]
+    optical = np.stack([p.samples_m for p in packed])
+    z = optical[..., 2]
+    rotation = np.stack([p.pose.rotation for p in places])
+    place = np.stack([p.pose.translation_m for p in places])[sensor]
+    directions = optical @ rotation[sensor].transpose(0, 2, 1)
+    focal = np.array([p.mount.intrinsics.fx for p in places])[sensor]
     times = np.array([s.time_s for s in chosen])
     return Evidence(
-        points,
-        used,
-        sight,
-        sigma,
-        pixel,
-        times - 0.5 * (times.min() + times.max()),
-        np.array([sensors.index(s.view.sensor) for s in chosen]),
-        sensors,
-        np.stack([places[name].pose.translation_m for name in sensors]),
-        np.array([places[name].offset_sigma_m for name in sensors]),
-        np.stack([places[s.view.sensor].pose.apply(s.view.centre_m) for s in chosen]),
-        float(np.median([s.view.height_m for s in chosen])),
+        samples_m=directions + place[:, None, :],
+        used=np.stack([p.used for p in packed]),
+        points=points,
+        sight=directions / np.sqrt(np.einsum("vmd,vmd->vm", directions, directions))[..., None],
+        depth_sigma_m=z**2 * np.hypot(SIGMA_PER_Z2, STEP_PER_Z2 / np.sqrt(12.0)),
+        pixel_m=z / focal[:, None],
+        share=np.array([p.share for p in packed]),
+        time_s=times - 0.5 * (times.min() + times.max()),
+        sensor=sensor,
+        sensors=sensors,
+        axes=rotation.transpose(0, 2, 1),
+        offset_sigma_m=np.array([p.offset_sigma_m for p in places]),
+        centre_m=np.einsum("vij,vj->vi", rotation[sensor], np.stack([s.view.centre_m for s in chosen])) + place,
+        height_m=float(np.median([s.view.height_m for s in chosen])),
     )
 
 
@@ -132,7 +181,7 @@ def _place(mount: Mount, belt: Pose, middle_m: F64) -> _Place:
     R = rotation_between(own.normal, np.array([0.0, 0.0, 1.0]))
     lift = np.array([0.0, 0.0, float(own.height_m(pivot)) - pivot[2]])
     leveled = Pose(R @ pose.rotation, R @ (pose.translation_m - pivot) + pivot + lift)
-    return _Place(leveled, _offset_sigma_m(mount, middle_m))
+    return _Place(leveled, _offset_sigma_m(mount, middle_m), mount)
 
 
 def _offset_sigma_m(mount: Mount, middle_m: F64) -> float:
@@ -148,18 +197,29 @@ def _offset_sigma_m(mount: Mount, middle_m: F64) -> float:
     return float(np.sqrt(variance))
 
 
-def _pack(view: FruitView, pose: Pose, count: int, mount: Mount) -> tuple[F64, Bools, F64, F64, F64]:
+def _pack(view: FruitView, mount: Mount, count: int, rim: int) -> _Packed:
+    """Return a view's samples: `count` points away from its edge, then `rim` on the sights along its outline."""
     points = _inner_points(view, count)
-    used = np.zeros(count, dtype=bool)
+    used = np.zeros(count + rim, dtype=bool)
     used[: len(points)] = True
-    padded = np.empty((count, 3))
-    padded[: len(points)] = points
-    padded[len(points) :] = points[0]
-    z = padded[:, 2]
-    sigma = z**2 * np.hypot(SIGMA_PER_Z2, STEP_PER_Z2 / np.sqrt(12.0))
-    sight = pose.turn(padded)
-    sight /= np.linalg.norm(sight, axis=1, keepdims=True)
-    return pose.apply(padded), used, sight, sigma, z / mount.intrinsics.fx
+    samples = np.empty((count + rim, 3))
+    samples[: len(points)] = points
+    samples[len(points) :] = view.centre_m
+    outline = view.outline_px
+    if view.whole and not view.shared and len(outline) >= 2 * rim:
+        samples[count:] = _on_outline(outline, mount, rim, float(view.centre_m[2]))
+        used[count:] = True
+    return _Packed(samples, used, min(1.0, view.area_px / (WINDOW_PX2 * len(points))))
+
+
+def _on_outline(outline_px: F64, mount: Mount, count: int, depth_m: float) -> F64:
+    """Return points (count, 3) at a depth on the sights through an outline, spread evenly along it."""
+    index = ((np.arange(count) + 0.5) * (len(outline_px) / count)).astype(int)
+    camera = mount.intrinsics
+    u = np.clip(np.rint(outline_px[index, 0]).astype(int), 0, camera.width - 1)
+    v = np.clip(np.rint(outline_px[index, 1]).astype(int), 0, camera.height - 1)
+    rays = camera.rays()[v, u].astype(np.float64)
+    return np.column_stack([rays, np.ones(count)]) * depth_m
 
 
 def _inner_points(view: FruitView, count: int) -> F64:

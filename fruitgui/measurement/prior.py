@@ -26,23 +26,31 @@ HEIGHT_SIGMA_M = 0.7e-3
 """How far a sensor's or a view's heights may be off after they were taken from its own belt."""
 
 
+EDGE_PX, EDGE_SIGMA_PX, EDGE_UNEVEN_PX = 0.7, 0.8, 0.3
+"""Fattening of edges: its mean, its spread between sensors, and the spread of its difference between x and y."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Prior:
     """Information (1/σ²) on the unknowns of a fit.
 
     Attributes:
-        axes: (6, 6) on the logarithm of the ellipsoid's stretch, order of `fit.SIX`.
+        axes: (6, 6) on the logarithm of the ellipsoid's stretch, order of `shape.SIX`.
         dents: (K,) on the harmonics' weights.
-        shift_information: (3,) on each view's own shift, belt frame.
+        view_information: (3,) on each view's own shift, belt frame, or (6,) on its shift and its turn.
     """
 
     axes: F64
     dents: F64
-    shift_information: F64
+    view_information: F64
 
-    def sensor_information(self, offset_sigma_m: float) -> F64:
-        """Return the information (3,) on one sensor's common shift."""
-        return np.array([offset_sigma_m, offset_sigma_m, HEIGHT_SIGMA_M]) ** -2.0
+    def of_sensor(self, offset_sigma_m: float, offset_m: F64, edge_px: F64) -> tuple[F64, F64]:
+        """Return information (5, 5) and gradient (5,) on one sensor's shift and its edges' fattening."""
+        information = np.zeros((5, 5))
+        information[[0, 1, 2], [0, 1, 2]] = np.array([offset_sigma_m, offset_sigma_m, HEIGHT_SIGMA_M]) ** -2.0
+        information[3:, 3:] = 0.25 / EDGE_SIGMA_PX**2
+        information[3:, 3:] += np.array([[1.0, -1.0], [-1.0, 1.0]]) / EDGE_UNEVEN_PX**2
+        return information, information @ np.concatenate([offset_m, edge_px - EDGE_PX])
 
     def add(self, H: F64, b: F64, shape: Shape, body: F64) -> None:
         """Add the prior of the shape to the normal equations."""
@@ -61,7 +69,7 @@ def log_axes(shape: Shape, body: F64) -> F64:
     return np.array([log[0, 0], log[1, 1], log[2, 2], log[0, 1], log[0, 2], log[1, 2]])
 
 
-def shape_prior(degree: int, shift_sigma_m: float, *, axis_known: bool) -> Prior:
+def shape_prior(degree: int, shift_sigma_m: float, *, axis_known: bool, turn_sigma_rad: float = 0.0) -> Prior:
     """Return the prior for harmonics up to `degree`; the body's z axis is that of revolution where it is known."""
     across = ROUND_SIGMA if axis_known else ASPECT_SIGMA
     rows = np.array(
@@ -81,5 +89,7 @@ def shape_prior(degree: int, shift_sigma_m: float, *, axis_known: bool) -> Prior
             for n, m in zip(harmonics.degree, harmonics.order, strict=True)
         ]
         dents = np.array(sigma) ** -2.0
-    shift = np.array([shift_sigma_m, shift_sigma_m, HEIGHT_SIGMA_M]) ** -2.0
-    return Prior(rows.T @ rows, dents, shift)
+    view = [shift_sigma_m, shift_sigma_m, HEIGHT_SIGMA_M]
+    if turn_sigma_rad:
+        view += [turn_sigma_rad] * 3
+    return Prior(rows.T @ rows, dents, np.array(view) ** -2.0)

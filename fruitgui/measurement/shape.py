@@ -9,6 +9,9 @@ import numpy as np
 from fruitgui.frame import F64
 from fruitgui.measurement.harmonics import Basis, basis, sphere_points
 
+SIX = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+"""Entries of a symmetric matrix in the order of the unknowns of a stretch."""
+
 GRID = 700
 """Directions at which a surface is evaluated: 4.5° apart, which loses 0.04 % of a calliper."""
 
