@@ -12,7 +12,7 @@ from fruitgui.frame import F64
 from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rotation import rotation_between, rotation_from_vector
 from fruitgui.simulation.mesh import Mesh
-from fruitgui.simulation.motion import AT_REST, SpeedProfile, Wobble
+from fruitgui.simulation.motion import AT_REST, Wobble
 
 DOWN = np.array([0.0, 0.0, -1.0])
 
@@ -46,15 +46,21 @@ class Body:
     jump_m: tuple[float, float] = (0.0, 0.0)
     jump_s: float = float("inf")
 
-    def pose(self, time_s: float, speed: SpeedProfile) -> Pose:
-        """Return the pose from the mesh's frame into the world at a time; the lowest vertex lies on the belt."""
+    def pose(self, time_s: float, travel_m: float) -> Pose:
+        """Return the pose from the mesh's frame into the world at a time at which the belt has moved `travel_m`.
+
+        The lowest vertex lies on the belt.
+        """
         rotation = self.wobble.rotation(time_s)
         lift_m = -float((self.mesh.vertices_m @ rotation[2]).min())
-        rest_m = -float(self.mesh.vertices_m[:, 2].min())
-        xy = np.array(self.start_m) + self.wobble.moved_m(time_s, rest_m) + (speed.travel_m(time_s), 0.0)
-        if time_s >= self.jump_s:
-            xy = xy + self.jump_m
-        return Pose(rotation, np.array([xy[0], xy[1], lift_m]))
+        rest_m = self.rest_m()
+        x, y = np.array(self.start_m) + self.wobble.moved_m(time_s, rest_m)
+        shoved = self.jump_m if time_s >= self.jump_s else (0.0, 0.0)
+        return Pose(rotation, np.array([x + shoved[0] + travel_m, y + shoved[1], lift_m]))
+
+    def rest_m(self) -> float:
+        """Return the height of the centre above the belt at rest."""
+        return -float(self.mesh.vertices_m[:, 2].min())
 
     def at(self, start_m: tuple[float, float]) -> Body:
         """Return the same body placed elsewhere."""
@@ -94,16 +100,16 @@ def at_rest(mesh: Mesh, rng: Generator, lying: float | None = None) -> Mesh:
 
 def _tilted(angle_rad: float, rng: Generator) -> F64:
     around = rng.uniform(0, 2 * np.pi)
-    return np.array(
-        [np.sin(angle_rad) * np.cos(around), np.sin(angle_rad) * np.sin(around), -np.cos(angle_rad)]
-    )
+    return np.array([np.sin(angle_rad) * np.cos(around), np.sin(angle_rad) * np.sin(around), -np.cos(angle_rad)])
 
 
 def _unit(vector: F64) -> F64:
     return np.asarray(vector / np.linalg.norm(vector))
 
 
-def push_together(standing: Sequence[Body], partner: Body, moving: Body, heading_rad: float, gap_m: float = 0.0) -> Body:
+def push_together(
+    standing: Sequence[Body], partner: Body, moving: Body, heading_rad: float, gap_m: float = 0.0
+) -> Body:
     """Return `moving` placed so that it touches one of `standing`, coming from `heading_rad` towards `partner`.
 
     It is moved along a straight line until the first vertex of either mesh
@@ -112,7 +118,7 @@ def push_together(standing: Sequence[Body], partner: Body, moving: Body, heading
     toward = -np.array([np.cos(heading_rad), np.sin(heading_rad), 0.0])
     away_m = 1.2 * sum(2 * _radius(body.mesh) for body in (*standing, moving))
     start = np.array([*partner.start_m, 0.0]) - toward * away_m
-    start[2] = -moving.mesh.vertices_m[:, 2].min()
+    start[2] = moving.rest_m()
     travel_m = min(_free_way_m(body, moving.mesh, start, toward) for body in standing)
     if not np.isfinite(travel_m):
         travel_m = away_m
@@ -122,7 +128,7 @@ def push_together(standing: Sequence[Body], partner: Body, moving: Body, heading
 
 def _free_way_m(standing: Body, mesh: Mesh, start: F64, toward: F64) -> float:
     """Return how far a mesh at `start` can go `toward` (unit) before it meets a body; inf if it passes."""
-    anchor = np.array([*standing.start_m, -standing.mesh.vertices_m[:, 2].min()])
+    anchor = np.array([*standing.start_m, standing.rest_m()])
     ahead = _first_hit(mesh.vertices_m + start - anchor, toward, standing.mesh)
     behind = _first_hit(standing.mesh.vertices_m + anchor - start, -toward, mesh)
     return min(ahead, behind)

@@ -43,8 +43,8 @@ class Device:
     color_camera: Intrinsics = KINECT_COLOR
     depth_camera: Intrinsics = field(default_factory=lambda: depth_camera_of(KINECT_COLOR))
     depth_to_color: Pose = field(default_factory=lambda: Pose(np.eye(3), np.array([-COLOR_IN_DEPTH_M, 0.0, 0.0])))
-    depth_model: DepthModel = DepthModel()
-    color_model: ColorModel = ColorModel()
+    depth_model: DepthModel = DepthModel()  # noqa: RUF009 - frozen
+    color_model: ColorModel = ColorModel()  # noqa: RUF009 - frozen
     clock_offset_s: float = 0.0
     silent_s: tuple[tuple[float, float], ...] = ()
     drop_share: float = 0.0

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.random import Generator
 
 from fruitgui.frame import F32, F64, Ints
-from fruitgui.simulation.fruit import linear, sphere, waves
+from fruitgui.simulation.fruit import sphere, waves
+from fruitgui.simulation.light import linear
 from fruitgui.simulation.mesh import Mesh
 
 
@@ -45,7 +46,9 @@ def leaf(rng: Generator) -> Mesh:
     curl = rng.uniform(1.5, 6.0, 2) * np.array([1.0, 1.5])
     body[:, 2] += curl[0] * body[:, 0] ** 2 + curl[1] * body[:, 1] ** 2
     tone = np.array([0.24, 0.42, 0.14]) * rng.uniform(0.7, 1.3, 3)
-    return Mesh(body, triangles, _plain(tone, len(body), rng, 0.06) * (0.9 + 0.1 * np.cos(40 * y))[:, None].astype("f4"))
+    return Mesh(
+        body, triangles, _plain(tone, len(body), rng, 0.06) * (0.9 + 0.1 * np.cos(40 * y))[:, None].astype("f4")
+    )
 
 
 def box(rng: Generator) -> Mesh:
@@ -67,7 +70,9 @@ def stone(rng: Generator) -> Mesh:
     directions, triangles = sphere(4)
     rough = 1 + waves(directions, rng, 0.09, 1.0, 5.0) + waves(directions, rng, 0.02, 6.0, 14.0)
     half = rng.uniform(0.022, 0.045) * rng.uniform((1.0, 0.7, 0.55), (1.3, 1.0, 0.8))
-    return Mesh(directions * rough[:, None] * half, triangles, _plain(np.full(3, rng.uniform(0.3, 0.6)), len(rough), rng, 0.08))
+    return Mesh(
+        directions * rough[:, None] * half, triangles, _plain(np.full(3, rng.uniform(0.3, 0.6)), len(rough), rng, 0.08)
+    )
 
 
 def cup(rng: Generator) -> Mesh:
@@ -81,7 +86,13 @@ def cup(rng: Generator) -> Mesh:
     return Mesh(vertices, triangles, _plain(rng.uniform(0.6, 0.95, 3), len(vertices), rng, 0.01))
 
 
-FOREIGN: Mapping[str, Callable[[Generator], Mesh]] = {"hand": hand, "leaf": leaf, "box": box, "stone": stone, "cup": cup}
+FOREIGN: Mapping[str, Callable[[Generator], Mesh]] = {
+    "hand": hand,
+    "leaf": leaf,
+    "box": box,
+    "stone": stone,
+    "cup": cup,
+}
 """Makers of foreign objects by kind."""
 
 

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.random import Generator
 
 from fruitgui.frame import F32, F64, Ints
+from fruitgui.simulation.light import linear
 from fruitgui.simulation.mesh import Mesh, icosphere
 
 KINDS = ("lemon", "red_apple", "green_apple", "chilean_avocado", "peruvian_avocado")
@@ -163,8 +164,3 @@ def paint(directions: F64, skin: Skin, rng: Generator) -> F32:
     colour = colour * (1 + skin.piece_spread * rng.normal()) * (1 + 0.5 * skin.piece_spread * rng.normal(size=3))
     spots = skin.spots * rng.normal(size=(len(directions), 1))
     return linear(np.clip(colour * (1 + spots), 0.01, 0.98))
-
-
-def linear(srgb: F64) -> F32:
-    """Return linear light of sRGB values 0–1 (gamma 2.2)."""
-    return np.asarray(np.clip(srgb, 0, 1) ** 2.2, dtype=np.float32)

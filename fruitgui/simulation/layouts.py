@@ -57,7 +57,8 @@ def _opposed(rng: Generator, middle: F64) -> tuple[Pose, ...]:
     """Two sensors on opposite sides of the belt."""
     side = rng.choice([-1.0, 1.0])
     return tuple(
-        _beside(rng, heading + rng.normal(0, 0.15), (0.35, 0.65), middle) for heading in (side * np.pi / 2, -side * np.pi / 2)
+        _beside(rng, heading + rng.normal(0, 0.15), (0.35, 0.65), middle)
+        for heading in (side * np.pi / 2, -side * np.pi / 2)
     )
 
 

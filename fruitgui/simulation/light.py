@@ -9,6 +9,9 @@ from numpy.random import Generator
 
 from fruitgui.frame import F32, F64, U8
 
+TONE = 2.0
+"""Exponent of the camera's tone curve: values go with the square root of light, close to sRGB's curve."""
+
 
 @dataclass(frozen=True, slots=True)
 class Light:
@@ -32,7 +35,7 @@ class Light:
 
     def on(self, normal: F32) -> F32:
         """Return the relative light on surfaces with unit normals (…, 3)."""
-        lit = np.clip(normal @ np.array(self.direction, dtype=np.float32), 0, 1)
+        lit = np.maximum(normal @ np.array(self.direction, dtype=np.float32), 0)
         sky = np.float32(0.5 * self.ambient) * (1 + normal[..., 2])
         return np.asarray(sky + np.float32(1 - self.ambient) * lit, dtype=np.float32)
 
@@ -47,9 +50,9 @@ def make_light(rng: Generator, lux: float | None = None) -> Light:
     tint = np.array([1 + warm, 1.0, 1 - warm]) * (1 + rng.normal(0, 0.015, 3))
     tilt, around = rng.uniform(0, 0.7), rng.uniform(0, 2 * np.pi)
     lamp = (np.sin(tilt) * np.cos(around), np.sin(tilt) * np.sin(around), np.cos(tilt))
-    drawn = float(np.exp(rng.uniform(np.log(100), np.log(1000)))) if lux is None else lux
+    drawn = float(np.exp(rng.uniform(np.log(100), np.log(1000))))
     return Light(
-        drawn,
+        drawn if lux is None else lux,
         (float(tint[0]), float(tint[1]), float(tint[2])),
         (float(lamp[0]), float(lamp[1]), float(lamp[2])),
         float(rng.uniform(0.45, 0.8)),
@@ -62,11 +65,14 @@ def make_light(rng: Generator, lux: float | None = None) -> Light:
 class ColorModel:
     """How one colour camera answers.
 
+    Light makes electrons (shot noise is their square root), reading adds noise
+    of its own, gain lifts both to the wanted brightness: dark scenes are noisy.
+
     Attributes:
         electrons_per_lux: collected by a white pixel per lux at the longest exposure.
-        full_well: electrons at which a pixel is full; exposure is shortened above it.
+        full_well: electrons at which a pixel is full; the exposure is shortened above it.
         read_noise: electrons.
-        target: mean value (0–1, linear) that the exposure aims at.
+        target: mean light (0–1, linear) that the exposure aims at.
         compliance: how much of a change of light is left in the picture (0 none, 1 all), relative to 300 lux.
         vignetting: loss of light in the corner.
         blur_px: of the lens and the colour filter.
@@ -85,39 +91,25 @@ class ColorModel:
     noise: float = 1.0
 
 
-_LEVELS = 4096
+def expose(radiance: F32, model: ColorModel, lux: float, grain: F32) -> U8:
+    """Return the picture (H, W, 3) of linear light (H, W, 3).
 
+    Args:
+        radiance: reflectance × relative light; white in full light is 1.
+        model: the camera.
+        lux: the hall's light.
+        grain: standard normal noise of the same shape.
+    """
+    import cv2
 
-class ColorResponse:
-    """A camera's tables for one light."""
-
-    def __init__(self, model: ColorModel, light: Light) -> None:
-        self._model = model
-        self._light = light
-        level = np.arange(_LEVELS) / (_LEVELS - 1)
-        self._value = (255 * level ** (1 / 2.2)).astype(np.float32)
-        self._slope = 255 / 2.2 * np.maximum(level, 4e-3) ** (1 / 2.2 - 1)
-        self._white_electrons = min(model.electrons_per_lux * light.lux, model.full_well)
-
-    def expose(self, radiance: F32, noise: F32) -> U8:
-        """Return the picture (H, W, 3) of linear radiances (reflectance × relative light) with standard normal `noise`."""
-        model = self._model
-        mean = max(float(radiance[::8, ::8].mean()), 1e-3)
-        gain = model.target / mean * (self._light.lux / 300) ** model.compliance
-        index = radiance * np.float32(gain * (_LEVELS - 1))
-        np.minimum(index, np.float32(_LEVELS - 1), out=index)
-        level = index.astype(np.uint16)
-        picture = self._value[level]
-        if model.noise:
-            picture += self._noise_table(gain)[level] * noise
-        np.clip(picture, 0, 255, out=picture)
-        return picture.astype(np.uint8)
-
-    def _noise_table(self, gain: float) -> F32:
-        """Return the noise in output values per level: shot noise and read noise, through gain and gamma."""
-        electrons = np.arange(_LEVELS) / (_LEVELS - 1) / gain * self._white_electrons
-        sigma = np.sqrt(electrons + self._model.read_noise**2) / self._white_electrons * gain
-        return np.asarray(self._model.noise * sigma * self._slope, dtype=np.float32)
+    gain = model.target / max(float(radiance[::8, ::8].mean()), 1e-3) * (lux / 300) ** model.compliance
+    if model.noise:
+        white = min(model.electrons_per_lux * lux, model.full_well)
+        variance = cv2.addWeighted(radiance, 1 / white, radiance, 0.0, (model.read_noise / white) ** 2)
+        noise = cv2.multiply(cv2.sqrt(variance), grain, scale=model.noise)
+        radiance = np.maximum(cv2.add(radiance, noise, dst=noise), np.float32(0), out=noise)
+    picture: U8 = cv2.convertScaleAbs(cv2.sqrt(radiance), alpha=255 * gain**0.5)
+    return picture
 
 
 def vignette(radius2: F32, model: ColorModel) -> F32:
@@ -128,3 +120,8 @@ def vignette(radius2: F32, model: ColorModel) -> F32:
 def gains(light: Light, model: ColorModel) -> F64:
     """Return the colour gains (3,) of light and camera together."""
     return np.array(light.tint) * np.array(model.balance)
+
+
+def linear(srgb: F64) -> F32:
+    """Return linear light of picture values 0–1 (the inverse of the tone curve)."""
+    return np.asarray(np.clip(srgb, 0, 1) ** TONE, dtype=np.float32)

@@ -55,7 +55,9 @@ def constant(speed_m_s: float) -> SpeedProfile:
 def stop_and_start(speed_m_s: float, stop_s: float, rest_s: float, ramp_s: float = 0.4) -> SpeedProfile:
     """Return a belt that stops at `stop_s`, rests and starts again, each within `ramp_s`."""
     start_s = stop_s + ramp_s + rest_s
-    return SpeedProfile((0.0, stop_s, stop_s + ramp_s, start_s, start_s + ramp_s), (speed_m_s, speed_m_s, 0.0, 0.0, speed_m_s))
+    return SpeedProfile(
+        (0.0, stop_s, stop_s + ramp_s, start_s, start_s + ramp_s), (speed_m_s, speed_m_s, 0.0, 0.0, speed_m_s)
+    )
 
 
 def change(speed_m_s: float, then_m_s: float, at_s: float, ramp_s: float = 0.5) -> SpeedProfile:

@@ -66,7 +66,7 @@ def _group(bodies: Sequence[Body], rng: Generator) -> Cluster:
 def own_motion_m(body: Body) -> float:
     """Return how far a body's surface may leave its place by rocking, rolling and sliding."""
     wobble = body.wobble
-    rest_m = -float(body.mesh.vertices_m[:, 2].min())
+    rest_m = body.rest_m()
     turn_m = (abs(wobble.rock_rad) + abs(wobble.roll_rad)) * rest_m
     grows_m = 0.0
     if turn_m > 0:

@@ -6,29 +6,38 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fruitgui.frame import F32, Bools
+from fruitgui.frame import F32, F64, Ints
 from fruitgui.simulation.mesh import Mesh
+
+RIM_DIRECTIONS = 400
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Hits:
-    """Where rays met a mesh.
+    """Where rays met a mesh; K of N rays did.
 
     Attributes:
-        hit: (N,) which rays did.
-        distance: (K,) of those, in units of the ray's direction.
-        normal: (K, 3) outward, smooth between vertices, in the mesh's frame.
-        albedo: (K, 3) linear reflectance.
+        ray: (K,) their numbers.
+        distance: (K,) in units of the ray's direction.
+        facet: (K,) number of the triangle.
+        normal: (K, 3) of the triangle, outward, unit length, in the mesh's frame.
+        weight: (K, 2) of the triangle's second and third corner at the place hit.
     """
 
-    hit: Bools
+    ray: Ints
     distance: F32
+    facet: Ints
     normal: F32
-    albedo: F32
+    weight: F32
 
 
 class Caster:
-    """A mesh made ready for rays."""
+    """A mesh made ready for rays.
+
+    Attributes:
+        rim_m: (R, 3) vertices that are extreme in some direction; enough to know where the body is in a picture.
+        reach_m: the largest distance of a vertex from the origin.
+    """
 
     def __init__(self, mesh: Mesh) -> None:
         import open3d as o3d
@@ -39,21 +48,32 @@ class Caster:
             o3d.core.Tensor(np.ascontiguousarray(mesh.vertices_m, dtype=np.float32)),
             o3d.core.Tensor(np.ascontiguousarray(mesh.triangles, dtype=np.uint32)),
         )
-        self._corners = np.hstack([mesh.vertex_normals(), mesh.albedo])[mesh.triangles].astype(np.float32)
+        self._triangles = mesh.triangles
+        self._skin = np.hstack([mesh.vertex_normals(), mesh.albedo]).astype(np.float32)
+        directions = np.random.default_rng(0).normal(size=(3, RIM_DIRECTIONS))
+        self.rim_m: F64 = mesh.vertices_m[np.unique((mesh.vertices_m @ directions).argmax(axis=0))]
+        self.reach_m = float(np.linalg.norm(mesh.vertices_m, axis=1).max())
 
     def distances(self, rays: F32) -> F32:
         """Return the distances (N,) along rays (N, 6: origin, direction), inf where they miss."""
-        answer = self._scene.cast_rays(self._tensor(rays), nthreads=1)
-        found: F32 = answer["t_hit"].numpy()
+        found: F32 = self._scene.cast_rays(self._tensor(rays), nthreads=1)["t_hit"].numpy()
         return found
 
     def hits(self, rays: F32) -> Hits:
         """Return what rays (N, 6: origin, direction) meet first."""
         answer = self._scene.cast_rays(self._tensor(rays), nthreads=1)
         distance = answer["t_hit"].numpy()
-        hit = np.isfinite(distance)
-        corners = self._corners[answer["primitive_ids"].numpy()[hit]]
-        u, v = answer["primitive_uvs"].numpy()[hit].T[:, :, None]
-        mixed = corners[:, 0] * (1 - u - v) + corners[:, 1] * u + corners[:, 2] * v
-        normal = mixed[:, :3] / np.linalg.norm(mixed[:, :3], axis=1, keepdims=True)
-        return Hits(hit, distance[hit], normal, mixed[:, 3:])
+        ray = np.flatnonzero(np.isfinite(distance))
+        parts = (
+            answer[name].numpy().take(ray, axis=0) for name in ("primitive_ids", "primitive_normals", "primitive_uvs")
+        )
+        return Hits(ray, distance.take(ray), *parts)
+
+    def skin(self, hits: Hits, which: Ints) -> tuple[F32, F32]:
+        """Return normals (M, 3), smooth between vertices but not of unit length, and reflectances (M, 3) at hits."""
+        corners = self._triangles.take(hits.facet.take(which), axis=0)
+        second, third = hits.weight.take(which, axis=0).T[:, :, None]
+        mixed = self._skin.take(corners[:, 0], axis=0) * (1 - second - third)
+        mixed += self._skin.take(corners[:, 1], axis=0) * second
+        mixed += self._skin.take(corners[:, 2], axis=0) * third
+        return mixed[:, :3], mixed[:, 3:]

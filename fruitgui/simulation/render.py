@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.random import Generator
 
-from fruitgui.frame import F32, U8, U16, Intrinsics
+from fruitgui.frame import F32, U8, U16, Intrinsics, Ints
 from fruitgui.geometry.pose import Pose
 from fruitgui.simulation.body import Body
 from fruitgui.simulation.device import Device
 from fruitgui.simulation.kinect import NoiseBank, Scan, measure_depth, to_millimetres
-from fruitgui.simulation.light import ColorResponse, Light, gains, vignette
+from fruitgui.simulation.light import Light, expose, gains, vignette
 from fruitgui.simulation.rays import Caster, Hits
 from fruitgui.simulation.registration import Registration
-from fruitgui.simulation.surroundings import Backdrop, Surroundings, look, wear_at
+from fruitgui.simulation.surroundings import Backdrop, Surroundings, WearMap, look
 
 SKIN_INFRARED = 0.55
 """Reflectance of fruit skin at 830 nm; chlorophyll and anthocyanin are clear there, so dark fruit are not dark."""
+
+NEAREST_BODY_M = 0.05
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -32,36 +34,69 @@ class Placed:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Patch:
-    """What one body shows to one camera.
+class Glimpse:
+    """What one body shows to one camera, alone.
 
     Attributes:
-        rows, columns: the part of the picture that was looked at.
-        hits: of its rays, in order of the pixels; distances are depths along the optical axis.
+        box: (left, top, right, bottom) of the part of the picture that was looked at, end exclusive.
+        pixel: (K,) flat numbers of the pixels that see it.
+        hits: of those pixels' rays, same order; distances are depths along the optical axis, metres.
+        facing: (K,) cosine between the facet's normal and the line of sight.
     """
 
-    rows: slice
-    columns: slice
+    box: tuple[int, int, int, int]
+    pixel: Ints
     hits: Hits
+    facing: F32
 
 
-def cast(placed: Placed, camera: Intrinsics, camera_pose: Pose) -> Patch | None:
-    """Return what a camera (pose into the world) sees of a body alone; None if it is out of the picture."""
-    to_mesh = placed.pose.inverse() @ camera_pose
-    corners = to_mesh.inverse().apply(placed.body.mesh.vertices_m)
-    if corners[:, 2].min() < 0.05:
-        return None
-    pixels = camera.project(corners)
-    first = np.maximum(np.floor(pixels.min(axis=0)).astype(int) - 1, 0)
-    last = np.minimum(np.ceil(pixels.max(axis=0)).astype(int) + 2, (camera.width, camera.height))
-    if (first >= last).any():
-        return None
-    rows, columns = slice(first[1], last[1]), slice(first[0], last[0])
-    rays = camera.rays()[rows, columns].reshape(-1, 2)
-    bundle = np.empty((len(rays), 6), dtype=np.float32)
-    bundle[:, :3] = to_mesh.translation_m
-    bundle[:, 3:] = rays @ to_mesh.rotation[:, :2].T.astype(np.float32) + to_mesh.rotation[:, 2].astype(np.float32)
-    return Patch(rows, columns, placed.caster.hits(bundle))
+class Camera:
+    """A pinhole in the world, made ready to look at bodies."""
+
+    def __init__(self, intrinsics: Intrinsics, pose: Pose) -> None:
+        self.intrinsics = intrinsics
+        self.pose = pose
+        rays = intrinsics.rays()
+        self._forward = np.concatenate([rays, np.ones_like(rays[..., :1])], axis=-1)
+        self._slant = np.linalg.norm(self._forward, axis=-1).ravel()
+
+    def glimpse(self, placed: Placed) -> Glimpse | None:
+        """Return what is seen of a body; None if it is out of the picture."""
+        to_mesh = placed.pose.inverse() @ self.pose
+        box = self._box(to_mesh.inverse().apply(placed.caster.rim_m))
+        if box is None:
+            return None
+        left, top, right, bottom = box
+        forward = self._forward[top:bottom, left:right].reshape(-1, 3)
+        to_rays = np.zeros((3, 6), dtype=np.float32)
+        to_rays[2, :3] = to_mesh.translation_m
+        to_rays[:, 3:] = to_mesh.rotation.T
+        rays = forward @ to_rays
+        hits = placed.caster.hits(rays)
+        row, column = np.divmod(hits.ray, right - left)
+        pixel = (row + top) * self.intrinsics.width + (column + left)
+        facing = -np.einsum("ij,ij->i", hits.normal, rays.take(hits.ray, axis=0)[:, 3:]) / self._slant.take(pixel)
+        return Glimpse(box, pixel, hits, facing)
+
+    def _box(self, points_m: np.ndarray) -> tuple[int, int, int, int] | None:
+        if points_m[:, 2].min() < NEAREST_BODY_M:
+            return None
+        pixels = self.intrinsics.project(points_m)
+        left, top = np.maximum(np.floor(pixels.min(axis=0)).astype(int) - 1, 0).tolist()
+        right, bottom = (np.ceil(pixels.max(axis=0)).astype(int) + 2).tolist()
+        right, bottom = min(right, self.intrinsics.width), min(bottom, self.intrinsics.height)
+        return None if left >= right or top >= bottom else (left, top, right, bottom)
+
+
+def in_front(glimpses: Sequence[Glimpse | None], z_m: F32) -> Iterator[tuple[int, Glimpse, Ints]]:
+    """Draw bodies into a depth picture `z_m` (H, W); yield (number, glimpse, hits that were nearest when drawn)."""
+    flat = z_m.reshape(-1)
+    for number, glimpse in enumerate(glimpses):
+        if glimpse is None:
+            continue
+        which = np.flatnonzero(glimpse.hits.distance < flat.take(glimpse.pixel))
+        flat[glimpse.pixel.take(which)] = glimpse.hits.distance.take(which)
+        yield number, glimpse, which
 
 
 class Eye:
@@ -69,21 +104,21 @@ class Eye:
 
     def __init__(self, device: Device, surroundings: Surroundings, light: Light, rng: Generator) -> None:
         self.device = device
-        self._surroundings = surroundings
         self._light = light
-        self._depth_pose = device.pose @ device.depth_to_color
         depth, color = device.depth_camera, device.color_camera
-        self._behind_depth = look(surroundings, depth.rays(), self._depth_pose)
+        self._depth_camera = Camera(depth, device.pose @ device.depth_to_color)
+        self._color_camera = Camera(color, device.pose)
+        self._behind_depth = look(surroundings, depth.rays(), self._depth_camera.pose)
         self._behind_color = look(surroundings, color.rays(), device.pose)
         self._signal = self._behind_depth.infrared * self._behind_depth.facing
         self._radius2 = _radius2(depth)
         self._vignette = vignette(_radius2(color), device.color_model)
         self._gains = gains(light, device.color_model).astype(np.float32)
         self._lit = self._lit_backdrop(self._behind_color)
+        self._wear = WearMap(surroundings.belt, self._behind_color)
         self._register = Registration(depth, color, device.depth_to_color)
         self._bank = NoiseBank(depth.height, depth.width, device.depth_model.window_px, rng)
-        self._grain = rng.standard_normal((color.height + 211, color.width + 307, 3), dtype=np.float32)
-        self._response = ColorResponse(device.color_model, light)
+        self._grain = _grain(color.height + 211, color.width + 307, device.color_model.blur_px, rng)
 
     def _lit_backdrop(self, behind: Backdrop) -> F32:
         light = self._light.on(behind.normal) * self._light.over(behind.place_m) * self._vignette
@@ -100,80 +135,74 @@ class Eye:
     def scan(self, bodies: Sequence[Placed]) -> Scan:
         """Return exact depth in the infrared camera."""
         z, signal, facing = self._behind_depth.z_m.copy(), self._signal.copy(), self._behind_depth.facing.copy()
-        for placed in bodies:
-            patch = cast(placed, self.device.depth_camera, self._depth_pose)
-            if patch is None:
-                continue
-            rows, columns, found = self._nearer(patch, z)
-            z[rows, columns] = patch.hits.distance[found]
-            normal = patch.hits.normal[found] @ placed.pose.rotation.T.astype(np.float32)
-            rays = self.device.depth_camera.rays()[rows, columns]
-            cosine = _facing(normal, rays, self._depth_pose)
-            facing[rows, columns] = cosine
-            signal[rows, columns] = SKIN_INFRARED * cosine
+        for _, glimpse, which in in_front([self._depth_camera.glimpse(placed) for placed in bodies], z):
+            pixel, cosine = glimpse.pixel.take(which), glimpse.facing.take(which)
+            facing.reshape(-1)[pixel] = cosine
+            signal.reshape(-1)[pixel] = np.float32(SKIN_INFRARED) * cosine
         return Scan(z, signal, facing)
-
-    @staticmethod
-    def _nearer(patch: Patch, z: F32) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return rows and columns of the pixels where the patch is in front of `z`, and which of its hits they are."""
-        width = patch.columns.stop - patch.columns.start
-        index = np.flatnonzero(patch.hits.hit)
-        rows, columns = index // width + patch.rows.start, index % width + patch.columns.start
-        found = np.flatnonzero(patch.hits.distance < z[rows, columns])
-        return rows[found], columns[found], found
 
     def color(self, bodies: Sequence[Placed], travel_m: float, rng: Generator) -> U8:
         """Return the colour picture."""
-        picture, _ = self.radiance(bodies, travel_m)
-        blur = self.device.color_model.blur_px
-        if blur:
-            import cv2
+        import cv2
 
-            picture = cv2.GaussianBlur(picture, (3, 3), blur)
+        radiance = self.radiance(bodies, travel_m)
+        model = self.device.color_model
+        if model.blur_px:
+            radiance = cv2.GaussianBlur(radiance, (3, 3), model.blur_px)
         row, column = int(rng.integers(212)), int(rng.integers(308))
-        height, width = picture.shape[:2]
-        return self._response.expose(picture, self._grain[row : row + height, column : column + width])
+        height, width = radiance.shape[:2]
+        return expose(radiance, model, self._light.lux, self._grain[row : row + height, column : column + width])
 
-    def radiance(self, bodies: Sequence[Placed], travel_m: float) -> tuple[F32, U16]:
-        """Return the light that comes from every pixel (H, W, 3), and which body it sees (index + 1, 0 none)."""
-        behind = self._behind_color
-        worn = np.where(behind.on_belt, wear_at(self._surroundings.belt, behind.place_m, travel_m), np.float32(1))
-        z, who = behind.z_m.copy(), np.zeros(behind.z_m.shape, dtype=np.uint16)
-        patches = [cast(placed, self.device.color_camera, self.device.pose) for placed in bodies]
-        for placed, patch in zip(bodies, patches, strict=True):
-            if patch is not None:
-                self._darken_belt(worn, placed, patch)
-        picture = self._lit * worn[..., None]
-        for index, (placed, patch) in enumerate(zip(bodies, patches, strict=True)):
-            if patch is None:
-                continue
-            rows, columns, found = self._nearer(patch, z)
-            z[rows, columns] = patch.hits.distance[found]
-            who[rows, columns] = index + 1
-            picture[rows, columns] = self._shine(placed, patch, found) * self._vignette[rows, columns, None]
-        return picture, who
+    def radiance(self, bodies: Sequence[Placed], travel_m: float) -> F32:
+        """Return the light that comes from every pixel, (H, W, 3)."""
+        import cv2
 
-    def _shine(self, placed: Placed, patch: Patch, found: np.ndarray) -> F32:
-        normal = patch.hits.normal[found] @ placed.pose.rotation.T.astype(np.float32)
-        light = self._light.on(normal) * self._light.over(placed.pose.translation_m[:2].astype(np.float32))
-        return np.asarray(patch.hits.albedo[found] * light[:, None] * self._gains, dtype=np.float32)
+        glimpses = [self._color_camera.glimpse(placed) for placed in bodies]
+        worn = self._wear.at(travel_m)
+        for placed, glimpse in zip(bodies, glimpses, strict=True):
+            if glimpse is not None:
+                self._darken_belt(worn, placed, glimpse)
+        picture: F32 = cv2.multiply(self._lit, cv2.merge([worn, worn, worn]))
+        flat, shade = picture.reshape(-1, 3), self._vignette.reshape(-1)
+        for number, glimpse, which in in_front(glimpses, self._behind_color.z_m.copy()):
+            pixel = glimpse.pixel.take(which)
+            flat[pixel] = self._shine(bodies[number], glimpse, which) * shade.take(pixel)[:, None]
+        return picture
 
-    def _darken_belt(self, worn: F32, placed: Placed, patch: Patch) -> None:
-        """Darken the belt around a body (the sky it hides)."""
-        margin = (patch.rows.stop - patch.rows.start + patch.columns.stop - patch.columns.start) // 8
-        rows = slice(max(patch.rows.start - margin, 0), patch.rows.stop + margin)
-        columns = slice(max(patch.columns.start - margin, 0), patch.columns.stop + margin)
-        behind = self._behind_color
-        away = behind.place_m[rows, columns] - placed.pose.translation_m[:2].astype(np.float32)
-        reach2 = np.float32(placed.body.reach_m() ** 2)
-        near = np.exp(-(away[..., 0] ** 2 + away[..., 1] ** 2) / reach2)
-        worn[rows, columns] *= np.where(behind.on_belt[rows, columns], 1 - np.float32(self._light.contact) * near, 1)
+    def who(self, bodies: Sequence[Placed]) -> Ints:
+        """Return which body each pixel of the colour picture sees: its number in `bodies`, −1 for none; (H, W)."""
+        seen = np.full(self._behind_color.z_m.shape, -1, dtype=np.intp)
+        glimpses = [self._color_camera.glimpse(placed) for placed in bodies]
+        for number, glimpse, which in in_front(glimpses, self._behind_color.z_m.copy()):
+            seen.reshape(-1)[glimpse.pixel[which]] = number
+        return seen
+
+    def _shine(self, placed: Placed, glimpse: Glimpse, which: Ints) -> F32:
+        normal, albedo = placed.caster.skin(glimpse.hits, which)
+        light = self._light.on(normal @ placed.pose.rotation.T.astype(np.float32))
+        light *= self._light.over(placed.pose.translation_m[:2].astype(np.float32))
+        return np.asarray(albedo * self._gains * light[:, None])
+
+    def _darken_belt(self, worn: F32, placed: Placed, glimpse: Glimpse) -> None:
+        """Darken the belt around a body (it hides a part of the sky)."""
+        left, top, right, bottom = glimpse.box
+        margin = (right - left + bottom - top) // 10
+        part = np.s_[max(top - margin, 0) : bottom + margin, max(left - margin, 0) : right + margin]
+        away = self._behind_color.place_m[part] - placed.pose.translation_m[:2].astype(np.float32)
+        away *= np.float32(1 / placed.caster.reach_m)
+        near = np.exp(-(away[..., 0] ** 2) - away[..., 1] ** 2)
+        near *= self._behind_color.on_belt[part]
+        worn[part] *= 1 - np.float32(self._light.contact) * near
 
 
-def _facing(normal: F32, rays: F32, pose: Pose) -> F32:
-    """Return the cosine between world normals (N, 3) and the line of sight of pixels with rays (N, 2)."""
-    toward = rays @ pose.rotation[:, :2].T.astype(np.float32) + pose.rotation[:, 2].astype(np.float32)
-    return np.asarray(-(normal * toward).sum(axis=1) / np.linalg.norm(toward, axis=1))
+def _grain(height: int, width: int, blur_px: float, rng: Generator) -> F32:
+    """Return standard normal noise (H, W, 3), correlated as far as the colour filter's pixels reach."""
+    import cv2
+
+    grain = rng.standard_normal((height, width, 3), dtype=np.float32)
+    if blur_px:
+        grain = cv2.GaussianBlur(grain, (3, 3), 0.5)
+    return np.asarray(grain / grain.std(), dtype=np.float32)
 
 
 def _radius2(camera: Intrinsics) -> F32:

@@ -22,8 +22,8 @@ from fruitgui.simulation.render import Eye, Placed
 from fruitgui.simulation.surroundings import Surroundings
 
 UP = np.array([0.0, 0.0, 1.0])
-BODY_MARGIN_M = 0.6
-"""Bodies farther than this outside the sensors' sight along the belt are left out of the pictures."""
+BODY_MARGIN_M = 0.2
+"""Bodies whose centre is farther than this outside the sensors' sight along the belt are left out of the pictures."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +115,7 @@ class Truth:
 
     def pose_in_world(self, fruit_id: int, time_s: float) -> Pose:
         """Return the pose from a fruit's mesh frame into the world (on the belt, z up) at a true time."""
-        return self._bodies[fruit_id].pose(time_s, self._scene.speed)
+        return self._bodies[fruit_id].pose(time_s, self._scene.speed.travel_m(time_s))
 
     def velocity_m_s(self, time_s: float) -> F64:
         """Return the belt's velocity (3,) in the reference frame at a true time."""
@@ -148,6 +148,7 @@ class Simulation:
         self.truth = Truth(scene)
         self._eyes: dict[str, Eye] = {}
         self._casters: dict[int, Caster] = {}
+        self._sights: dict[str, tuple[float, float]] = {}
         self._numbers = _sequence_numbers(scene)
 
     @property
@@ -192,17 +193,19 @@ class Simulation:
 
     def in_sight(self, capture: Capture) -> tuple[Placed, ...]:
         """Return the bodies that may be in a capture's picture, placed at its time."""
-        low, high = sight_along_belt(self.rig_mount(capture.sensor), self.device(capture.sensor))
-        placed = []
-        for body in self.scene.bodies:
-            pose = body.pose(capture.time_s, self.scene.speed)
-            if low - BODY_MARGIN_M < pose.translation_m[0] < high + BODY_MARGIN_M:
-                placed.append(Placed(body, self._caster(body), pose))
-        return tuple(placed)
+        low, high = self._sight(capture.sensor)
+        travel_m = self.scene.speed.travel_m(capture.time_s)
+        near = [b for b in self.scene.bodies if low - BODY_MARGIN_M < b.start_m[0] + travel_m < high + BODY_MARGIN_M]
+        return tuple(Placed(body, self._caster(body), body.pose(capture.time_s, travel_m)) for body in near)
 
     def rig_mount(self, sensor: str) -> Mount:
         """Return a sensor's true mount."""
         return Mount(sensor, self.truth.poses[sensor], self.truth.surfaces[sensor], self.device(sensor).color_camera)
+
+    def _sight(self, sensor: str) -> tuple[float, float]:
+        if sensor not in self._sights:
+            self._sights[sensor] = sight_along_belt(self.rig_mount(sensor), self.device(sensor))
+        return self._sights[sensor]
 
     def _eye(self, sensor: str) -> Eye:
         if sensor not in self._eyes:

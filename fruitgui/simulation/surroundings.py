@@ -9,6 +9,7 @@ from numpy.random import Generator
 
 from fruitgui.frame import F32, F64, Bools
 from fruitgui.geometry.pose import Pose
+from fruitgui.simulation.light import linear
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +98,9 @@ def look(surroundings: Surroundings, rays: F32, pose: Pose) -> Backdrop:
     normal = np.zeros(directions.shape)
     albedo = np.full(directions.shape, 0.03)
     infrared = np.zeros_like(z)
-    _add_level(-surroundings.floor_m, None, surroundings.floor_colour, 0.4, origin, directions, (z, normal, albedo, infrared))
+    _add_level(
+        -surroundings.floor_m, None, surroundings.floor_colour, 0.4, origin, directions, (z, normal, albedo, infrared)
+    )
     for block in surroundings.blocks:
         _add_block(block, origin, directions, (z, normal, albedo, infrared))
     belt = surroundings.belt
@@ -147,7 +150,7 @@ def _paint(
 ) -> None:
     layers[0][seen] = t[seen]
     layers[1][seen] = normal if normal.ndim == 1 else normal[seen]
-    layers[2][seen] = np.array(colour) ** 2.2
+    layers[2][seen] = linear(np.array(colour))
     layers[3][seen] = infrared
 
 
@@ -192,14 +195,24 @@ def _wear(rng: Generator, rows: int = 320, columns: int = 1024) -> F32:
     return np.clip(total, 0.4, 1.8)
 
 
-def wear_at(belt: Belt, place_m: F32, travel_m: float) -> F32:
-    """Return the belt's relative reflectance at world places (H, W, 2) after it moved `travel_m`."""
-    import cv2
+class WearMap:
+    """Where each pixel of one camera looks up the belt's wear."""
 
-    rows, columns = belt.wear.shape
-    u = ((place_m[..., 0] - np.float32(travel_m)) / np.float32(belt.cell_m)) % np.float32(columns - 1)
-    v = (place_m[..., 1] + np.float32(belt.width_m / 2)) / np.float32(belt.cell_m) % np.float32(rows - 1)
-    worn: F32 = cv2.remap(belt.wear, u, v, cv2.INTER_LINEAR)
-    return worn
+    def __init__(self, belt: Belt, behind: Backdrop) -> None:
+        rows, self._columns = belt.wear.shape
+        self._cell_m = belt.cell_m
+        self._on_belt = behind.on_belt.astype(np.float32)
+        self._tiled = np.hstack([belt.wear, belt.wear, belt.wear[:, :2]]) - np.float32(1)
+        self._u = (behind.place_m[..., 0] / np.float32(belt.cell_m)) % np.float32(self._columns)
+        v = (behind.place_m[..., 1] + np.float32(belt.width_m / 2)) / np.float32(belt.cell_m)
+        self._v = np.clip(v, 0, rows - 1).astype(np.float32)
 
+    def at(self, travel_m: float) -> F32:
+        """Return the relative reflectance (H, W) after the belt moved `travel_m`; 1 beside the belt."""
+        import cv2
 
+        shift = np.float32((-travel_m / self._cell_m) % self._columns)
+        worn: F32 = cv2.remap(self._tiled, self._u + shift, self._v, cv2.INTER_LINEAR)
+        worn *= self._on_belt
+        worn += np.float32(1)
+        return worn
