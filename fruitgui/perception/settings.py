@@ -19,6 +19,8 @@ class PerceptionSettings:
         tallest_m: nothing higher above the belt is looked at.
         lowest_m: never look below this height: belts sag and fitted planes err by a few millimetres.
         prominence: two tops are two fruit when the way between them dips by this part of the lower one's height.
+        waist: or when the outline between them narrows by this part of the narrower one's half width; half a dip and
+            half a waist count alike.
         max_points: points kept of one view.
         noise_m: depth noise at 1 m, growing with the square of distance (Khoshelham & Elberink 2012).
         step_m: depth quantisation at 1 m, growing likewise (1/8 px of disparity, f ≈ 580 px, b = 75 mm).
@@ -30,6 +32,7 @@ class PerceptionSettings:
     tallest_m: float = 0.20
     lowest_m: float = 0.006
     prominence: float = 0.12
+    waist: float = 0.6
     max_points: int = 1200
     noise_m: float = 1.4e-3
     step_m: float = 2.9e-3

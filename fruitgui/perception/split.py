@@ -10,6 +10,7 @@ seen but a jump in depth; jumps are dug into the height map as moats.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -20,6 +21,9 @@ from fruitgui.frame import F32, F64, U8, U16, Bools, Ints
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.segment import MOST_GROUPS, Groups
 from fruitgui.perception.settings import PerceptionSettings
+
+
+CROSS = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -105,10 +109,10 @@ class HeightSplitter:
         self._slope = cv2.resize(limits.slope, self._size, interpolation=cv2.INTER_AREA)
         reach = int(np.clip(round(0.3 * smallest_px / self._scale), 1, 6))
         self._window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
-        pixel_m = self._scale * limits.belt_z_m / limits.focal_px
-        # Across two coarse pixels a surface seen at 60° recedes by 2 tan 60° pixels; noise adds to it.
-        self._allowed_m = 3.5 * pixel_m + 3.0 * float(settings.noise_at_m(np.array(limits.belt_z_m)))
-        self._least_dip_m = max(0.005, 3.0 * float(settings.noise_at_m(np.array(limits.belt_z_m))))
+        belt_z = np.array(limits.belt_z_m)
+        # Across two pixels a surface seen at 63° recedes by 2 tan 63° pixels; the depth's own steps add to it.
+        self._allowed_mm = 1e3 * (4.0 * limits.belt_z_m / limits.focal_px + 1.5 * float(settings.step_at_m(belt_z)))
+        self._least_dip_m = max(0.005, 3.0 * float(settings.noise_at_m(belt_z)))
         self._least_px = 0.3 * np.pi / 4.0 * smallest_px**2
 
     def __call__(self, groups: Groups, depth_mm: U16) -> Parts:
@@ -118,7 +122,7 @@ class HeightSplitter:
         labels = cv2.resize(groups.labels, self._size, interpolation=cv2.INTER_NEAREST)
         relief = self._relief(groups, depth_mm, labels)
         tops = _tops(relief, labels, self._window)
-        clusters = self._clusters(relief, tops)
+        clusters = self._clusters(relief, labels, tops)
         cuts = {}
         for group, peaks in tops_by_group(tops, clusters).items():
             if len(np.unique(clusters[peaks])) > 1:
@@ -133,27 +137,40 @@ class HeightSplitter:
         total, share = cv2.blur(total, (3, 3)), cv2.blur(share, (3, 3))
         z_m = total * np.float32(0.255) / np.maximum(share, np.float32(1.0))
         seen = share > 8.0
-        far = cv2.dilate(np.where(seen, z_m, np.float32(0.0)), np.ones((3, 3), np.uint8))
-        near = cv2.erode(np.where(seen, z_m, np.float32(99.0)), np.ones((3, 3), np.uint8))
-        moat = np.maximum(far - near - np.float32(self._allowed_m), 0.0)
-        relief = np.float32(self._limits.offset_m) - self._slope * z_m - 2.0 * moat
+        relief = np.float32(self._limits.offset_m) - self._slope * z_m - np.float32(2e-3) * self._moats(depth, groups.solid)
         relief[(labels == 0) | ~seen] = 0.0
         return np.asarray(relief, dtype=np.float32)
 
-    def _clusters(self, relief: F32, tops: Tops) -> Ints:
-        """Return for every top the number of the fruit it belongs to: tops without a valley between them are one."""
+    def _moats(self, depth: U16, solid: U8) -> F32:
+        """Return by how many millimetres depth jumps more than a slope would, on the coarse grid."""
+        nearest = cv2.erode(cv2.bitwise_or(depth, cv2.compare(solid, 0, cv2.CMP_EQ).astype(np.uint16) * 257), CROSS)
+        jump = cv2.subtract(cv2.dilate(depth, CROSS), nearest)
+        excess = cv2.subtract(jump, int(self._allowed_mm))
+        return cv2.resize(cv2.bitwise_and(excess,excess,mask=solid), self._size, interpolation=cv2.INTER_AREA).astype(np.float32)
+
+    def _clusters(self, relief: F32, labels: U8, tops: Tops) -> Ints:
+        """Return for every top the number of the fruit it belongs to.
+
+        Tops are joined in the order of the heights of the ways between them. Two
+        stay apart where the way dips too much, or the outline narrows too much,
+        or both do half of it.
+        """
         first, second = _pairs(tops)
-        saddle = lowest_between(relief, tops.place[first], tops.place[second])
+        depth_px = cv2.distanceTransform(cv2.compare(labels, 0, cv2.CMP_GT), cv2.DIST_L2, 3)
+        start, end = tops.place[first], tops.place[second]
+        saddle, neck = lowest_between(relief, start, end), lowest_between(depth_px, start, end)
         order = np.argsort(-saddle, kind="stable")
-        parent = list(range(len(tops.group)))
-        height = tops.height_m.tolist()
-        for a, b, low in zip(first[order].tolist(), second[order].tolist(), saddle[order].tolist(), strict=True):
-            root_a, root_b = _root(parent, a), _root(parent, b)
-            lower, upper = (root_a, root_b) if height[root_a] < height[root_b] else (root_b, root_a)
-            dip = height[lower] - low
-            if lower != upper and dip < max(self._settings.prominence * height[lower], self._least_dip_m):
-                parent[lower] = upper
-        return np.array([_root(parent, top) for top in range(len(parent))], dtype=np.intp)
+        forest = _Forest(tops.height_m, depth_px[tops.place[:, 0], tops.place[:, 1]].astype(np.float64))
+        edges = np.column_stack([first, second])[order].tolist()
+        for (a, b), low, narrow in zip(edges, saddle[order].tolist(), neck[order].tolist(), strict=True):
+            forest.join(a, b, lambda top_m, wide_px, low=low, narrow=narrow: self._apart(top_m - low, top_m, wide_px - narrow, wide_px))
+        return forest.roots()
+
+    def _apart(self, dip_m: float, top_m: float, waist_px: float, wide_px: float) -> bool:
+        """Tell whether a dip below the lower top and a waist beside the narrower part make two fruit."""
+        dip = dip_m / max(self._settings.prominence * top_m, self._least_dip_m)
+        waist = waist_px / max(self._settings.waist * wide_px, 2.0)
+        return dip + max(waist, 0.0) >= 1.0
 
     def _cut(self, groups: Groups, group: int, relief: F32, labels: U8, place: Ints, cluster: Ints) -> U8:
         """Return the parts of one group over its bounding box: every pixel goes to the top it climbs to."""
@@ -212,11 +229,33 @@ def lowest_between(relief: F32, start: Ints, end: Ints, samples: int = 24) -> F6
     return np.asarray(relief[rows, columns].min(axis=1, initial=np.inf), dtype=np.float64)
 
 
-def _root(parent: list[int], top: int) -> int:
-    while parent[top] != top:
-        parent[top] = parent[parent[top]]
-        top = parent[top]
-    return top
+class _Forest:
+    """Tops that grow together into fruit (union-find); every tree knows its highest top and its widest place."""
+
+    def __init__(self, height_m: F64, wide_px: F64) -> None:
+        self._parent = list(range(len(height_m)))
+        self._height = height_m.tolist()
+        self._wide = wide_px.tolist()
+
+    def root(self, top: int) -> int:
+        """Return the tree that a top belongs to."""
+        while self._parent[top] != top:
+            self._parent[top] = self._parent[self._parent[top]]
+            top = self._parent[top]
+        return top
+
+    def join(self, a: int, b: int, apart: Callable[[float, float], bool]) -> None:
+        """Join the trees of two tops unless `apart(lower top's height, narrower tree's half width)`."""
+        a, b = self.root(a), self.root(b)
+        if a == b or apart(min(self._height[a], self._height[b]), min(self._wide[a], self._wide[b])):
+            return
+        lower, upper = (a, b) if self._height[a] < self._height[b] else (b, a)
+        self._parent[lower] = upper
+        self._wide[upper] = max(self._wide[upper], self._wide[lower])
+
+    def roots(self) -> Ints:
+        """Return the tree of every top."""
+        return np.array([self.root(top) for top in range(len(self._parent))], dtype=np.intp)
 
 
 def _basins(ground: F32, place: Ints, number: U8) -> U8:
