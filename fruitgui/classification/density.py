@@ -31,10 +31,10 @@ _LEAST_SPREAD = 1e-3
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FruitVectors:
-    """Fruit as points: the mean of its views' features, then its fused features.
+    """Fruit as points: its views' features, then its fused features.
 
     Attributes:
-        points: (N, D) features by ratio (sizes as logarithms); NaN where not measured.
+        points: (N, D) features, by ratio (sizes as logarithms); NaN where not measured.
         spreads: (N, D, D) covariance of one view about its fruit, zero for fused features.
         views: (N,) number of views.
     """
@@ -49,17 +49,27 @@ class FruitVectors:
 
 
 def fruit_vectors(evidence: list[Evidence], names: FeatureNames) -> FruitVectors:
-    """Return the fruit as points. Views count alike; the median of many would jump between a fruit's two faces."""
+    """Return the fruit as points: the trimmed mean of its views.
+
+    A view or two that a neighbour or the picture's edge spoiled are left out; the median would jump between the two
+    faces of a fruit that opposed sensors see.
+    """
     view_sizes, fruit_sizes = sizes(names.view), sizes(names.fruit)
     width, depth = len(names.view), len(names.view) + len(names.fruit)
     points, spreads = np.empty((len(evidence), depth)), np.zeros((len(evidence), depth, depth))
     for row, one in enumerate(evidence):
         views = by_ratio(one.view_features, view_sizes)
-        points[row, :width] = views.mean(axis=0)
+        points[row, :width] = _trimmed_mean(views)
         points[row, width:] = by_ratio(one.fruit_features, fruit_sizes)
         if len(views) > 1:
             spreads[row, :width, :width] = np.cov(views, rowvar=False).reshape(width, width)
     return FruitVectors(points, spreads, np.array([one.views for one in evidence], dtype=float))
+
+
+def _trimmed_mean(views: F64) -> F64:
+    """Return the mean (F,) of what is left when a fifth of the values is taken off either end."""
+    off = len(views) // 5
+    return np.asarray(np.sort(views, axis=0)[off : len(views) - off].mean(axis=0))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,13 +9,13 @@ import numpy as np
 from fruitgui.classification.density import Density, FruitVectors, fit_density, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames
 from fruitgui.classification.model import Core
-from fruitgui.classification.nature import Nature, by_ratio, natures, sizes, tolerances
+from fruitgui.classification.nature import Nature, by_ratio, light_changes, natures, sizes
 from fruitgui.classification.network import fit_network
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled, never_cancelled
 
-_EPOCHS = 50
-_ROWS = 1024
+_EPOCHS = 24
+_ROWS = 2048
 _JITTER = 0.5
 _LEAST_BIN = 0.05
 _LEAST_OTHER = 1e-3
@@ -69,7 +69,8 @@ def _thinned(views: F64) -> F64:
 
 def fit_densities(fruit: FruitSet, strength: float) -> Density:
     """Return the densities of the kinds."""
-    return fit_density(fruit.vectors, fruit.kinds, fruit.count, strength, np.diag(tolerances(fruit.names) ** 2))
+    changes = light_changes(fruit.names)
+    return fit_density(fruit.vectors, fruit.kinds, fruit.count, strength, changes.T @ changes)
 
 
 def fit_core(
@@ -107,7 +108,8 @@ def around(density: Density, strangers: FruitVectors | None) -> Density | None:
 def _least_units(names: FeatureNames) -> F64:
     """Return the least unit of each view feature: an empty bin that fills up a little has not changed the fruit."""
     bins = np.array([what is Nature.BIN for what in natures(names)[: len(names.view)]])
-    return np.maximum(np.where(bins, _LEAST_BIN, _LEAST_OTHER), tolerances(names)[: len(names.view)])
+    light = np.sqrt((light_changes(names)[:, : len(names.view)] ** 2).sum(axis=0))
+    return np.maximum(np.where(bins, _LEAST_BIN, _LEAST_OTHER), light)
 
 
 class _Drawer:
@@ -124,12 +126,13 @@ class _Drawer:
         self._members = [np.flatnonzero(fruit.kinds == kind) for kind in range(fruit.count)]
         width = len(centre)
         scale = density.unit[:width] / unit
-        light = np.diag((tolerances(fruit.names)[:width] / unit) ** 2)
+        changes = light_changes(fruit.names)[:, :width] / unit
+        light = changes.T @ changes
         between = density.covariances[:, :width, :width] * np.outer(scale, scale) - light
         self._moves = [_root(_JITTER**2 * block + light) for block in between]
 
     def draw(self, random: np.random.Generator) -> tuple[F64, Ints]:
-        """Return (1024, F) rows and the number of the kind of each."""
+        """Return (2048, F) rows and the number of the kind of each."""
         kinds = np.arange(_ROWS) % len(self._members)
         rows = np.empty((_ROWS, self._rows.shape[1]))
         for kind, members in enumerate(self._members):

@@ -11,7 +11,7 @@ from fruitgui.classification.decision import Novelty, Scores, Weighing, fit_nove
 from fruitgui.classification.density import Density, FruitVectors
 from fruitgui.classification.evidence import Evidence
 from fruitgui.classification.fitting import FruitSet, fit_core, fit_densities
-from fruitgui.classification.nature import axis_sets, tolerances
+from fruitgui.classification.nature import axis_sets, light_changes
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled
 
@@ -116,8 +116,8 @@ def hold_out(
 
 def _own(fruit: FruitSet, density: Density, row: int, random: np.random.Generator) -> F64:
     """Return the distances (L, A) of a fruit to its own kind in L lights other than training's."""
-    tolerance, sets = tolerances(fruit.names), axis_sets(fruit.names)
-    points = fruit.vectors.points[row] + random.standard_normal((LIGHTS, len(tolerance))) * tolerance
+    changes, sets = light_changes(fruit.names), axis_sets(fruit.names)
+    points = fruit.vectors.points[row] + random.standard_normal((LIGHTS, len(changes))) @ changes
     views, kind = float(fruit.vectors.views[row]), fruit.kinds[row]
     return np.array([[density.judge(point, views, axes)[0][kind] for axes in sets] for point in points])
 

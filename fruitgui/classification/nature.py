@@ -24,29 +24,32 @@ class Nature(Enum):
     BIN = "bin"
 
 
-LIGHT_TOLERANCE = {
-    "red_share": 0.012,
-    "green_share": 0.008,
-    "red_share_std": 0.010,
-    "green_share_std": 0.010,
-    "hue_cosine": 0.04,
-    "hue_sine": 0.04,
-    "hue_strength": 0.02,
-    "saturation_mean": 0.03,
-    "saturation_std": 0.02,
-    "log_value_to_belt": 0.10,
-    "log_red_to_belt": 0.10,
-    "log_green_to_belt": 0.10,
-    "log_blue_to_belt": 0.12,
-    "value_contrast": 0.03,
-    "value_texture": 0.02,
-}
-"""Standard deviation by which light that training did not show may move each colour feature.
+CHANGES: tuple[dict[str, float], ...] = (
+    {  # Noise of the picture in dim light: it widens all spreads together, and gives grey skins a hue.
+        "red_share_std": 0.015, "green_share_std": 0.012, "saturation_std": 0.04, "saturation_mean": 0.03,
+        "hue_strength": -0.03, "value_texture": 0.012, "hue_cosine": -0.03,
+    },
+    {"log_red_to_belt": 0.4},  # another belt, or one that got dirty
+    {"log_green_to_belt": 0.4},
+    {"log_blue_to_belt": 0.4},
+    {"log_value_to_belt": 0.25, "log_red_to_belt": 0.25, "log_green_to_belt": 0.25, "log_blue_to_belt": 0.25},
+    {"red_share": 0.012, "green_share": -0.004, "saturation_mean": 0.02, "hue_cosine": 0.03, "hue_sine": -0.03},  # warm
+    {"green_share": 0.008, "red_share": -0.004, "hue_sine": 0.03},  # greenish
+    {"value_contrast": 0.05},  # a lamp from the side
+    {"red_share_std": 0.008, "green_share_std": -0.008},
+    {"saturation_std": 0.015},
+    {"saturation_mean": 0.03},
+    {"hue_strength": 0.01},
+    {"value_texture": 0.01},
+    {"hue_cosine": 0.03},
+    {"hue_sine": 0.03},
+)  # fmt: skip
+"""What light and belt that training did not show may change, each with the standard deviation of every feature in it.
 
 A white balance that is off by 5 % in one channel moves a share s of the sum by 0.05·s·(1 − s), saturation by at most
 0.05, hue by a few degrees. The main lamp's direction changes the mean light on a body beside that on the level belt by
-a tenth (Lambert's cosine over the seen half). Noise of the picture (about 2–6 of 255 from 1000 to 100 lx) adds to all
-spreads in square.
+a tenth or two (Lambert's cosine over the seen half). Shot noise of a small camera at 100 lx is some 6 of 255 values,
+on a dark skin as much as a fifth of its colour. Belts of one make differ by half in reflectance, and get dirty.
 """
 
 _COLOURS = ("red_", "green_", "blue_", "hue_", "saturation_", "value_", "log_", "chroma_", "colour_", "texture_")
@@ -65,9 +68,15 @@ def _nature(name: str) -> Nature:
     return Nature.COLOUR if name.startswith(_COLOURS) else Nature.SHAPE
 
 
-def tolerances(names: FeatureNames) -> F64:
-    """Return by how much light may move every view feature, then every fruit feature (D,)."""
-    return np.array([*(LIGHT_TOLERANCE.get(name, 0.0) for name in names.view), *(0.0 for _ in names.fruit)])
+def light_changes(names: FeatureNames) -> F64:
+    """Return the changes (C, D) that new light may bring: rows are one standard deviation of each, independent."""
+    place = {name: at for at, name in enumerate(names.view)}
+    changes = np.zeros((len(CHANGES), len(names.view) + len(names.fruit)))
+    for row, change in enumerate(CHANGES):
+        for name, size in change.items():
+            if name in place:
+                changes[row, place[name]] = size
+    return changes
 
 
 def axis_sets(names: FeatureNames) -> tuple[Ints, ...]:
