@@ -103,7 +103,7 @@ class HeightSplitter:
         self._limits = limits
         self._settings = settings
         smallest_px = limits.pixels_of(settings.smallest_m, limits.belt_z_m)
-        self._scale = 2 if smallest_px >= 9.0 else 1
+        self._scale = 2 if smallest_px >= 6.0 else 1
         rows, columns = limits.shape
         self._size = (max(columns // self._scale, 1), max(rows // self._scale, 1))
         self._slope = cv2.resize(limits.slope, self._size, interpolation=cv2.INTER_AREA)
@@ -121,8 +121,9 @@ class HeightSplitter:
             return unsplit(groups)
         labels = cv2.resize(groups.labels, self._size, interpolation=cv2.INTER_NEAREST)
         relief = self._relief(groups, depth_mm, labels)
-        tops = _tops(relief, labels, self._window)
-        clusters = self._clusters(relief, labels, tops)
+        wide_px = cv2.distanceTransform(cv2.compare(labels, 0, cv2.CMP_GT), cv2.DIST_L2, 3)
+        tops = find_tops(relief, wide_px, labels, self._window)
+        clusters = self._clusters(relief, wide_px, tops)
         cuts = {}
         for group, peaks in tops_by_group(tops, clusters).items():
             if len(np.unique(clusters[peaks])) > 1:
@@ -148,7 +149,7 @@ class HeightSplitter:
         excess = cv2.subtract(jump, int(self._allowed_mm))
         return cv2.resize(cv2.bitwise_and(excess,excess,mask=solid), self._size, interpolation=cv2.INTER_AREA).astype(np.float32)
 
-    def _clusters(self, relief: F32, labels: U8, tops: Tops) -> Ints:
+    def _clusters(self, relief: F32, wide_px: F32, tops: Tops) -> Ints:
         """Return for every top the number of the fruit it belongs to.
 
         Tops are joined in the order of the heights of the ways between them. Two
@@ -156,11 +157,10 @@ class HeightSplitter:
         or both do half of it.
         """
         first, second = _pairs(tops)
-        depth_px = cv2.distanceTransform(cv2.compare(labels, 0, cv2.CMP_GT), cv2.DIST_L2, 3)
         start, end = tops.place[first], tops.place[second]
-        saddle, neck = lowest_between(relief, start, end), lowest_between(depth_px, start, end)
+        saddle, neck = lowest_between(relief, start, end), lowest_between(wide_px, start, end)
         order = np.argsort(-saddle, kind="stable")
-        forest = _Forest(tops.height_m, depth_px[tops.place[:, 0], tops.place[:, 1]].astype(np.float64))
+        forest = _Forest(tops.height_m, tops.wide_px)
         edges = np.column_stack([first, second])[order].tolist()
         for (a, b), low, narrow in zip(edges, saddle[order].tolist(), neck[order].tolist(), strict=True):
             forest.join(a, b, lambda top_m, wide_px, low=low, narrow=narrow: self._apart(top_m - low, top_m, wide_px - narrow, wide_px))
@@ -192,10 +192,18 @@ class HeightSplitter:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Tops:
-    """Local summits of a height map: (T, 2) row and column, (T,) height, (T,) 0-based group."""
+    """Local summits of a height map, and the widest places of the outlines; T of them.
+
+    Attributes:
+        place: (T, 2) row and column.
+        height_m: (T,).
+        wide_px: (T,) distance from the outline.
+        group: (T,) 0-based.
+    """
 
     place: Ints
     height_m: F64
+    wide_px: F64
     group: Ints
 
 
@@ -205,15 +213,21 @@ def tops_by_group(tops: Tops, clusters: Ints) -> dict[int, Ints]:
     return {int(group): np.flatnonzero(tops.group == group) for group in np.flatnonzero(counts > 1)}
 
 
-def _tops(relief: F32, labels: U8, window: U8, most: int = 300) -> Tops:
-    """Return pixels that nothing within the window overtops, at most `most`, the highest."""
-    summit = (relief >= cv2.dilate(relief, window)) & (labels > 0) & (relief > 0)
-    place = np.argwhere(summit)
-    height = relief[place[:, 0], place[:, 1]].astype(np.float64)
+def find_tops(relief: F32, wide_px: F32, labels: U8, window: U8, most: int = 400) -> Tops:
+    """Return pixels that nothing within the window overtops, and the widest places within twice the window."""
+    summit = (relief >= cv2.dilate(relief, window)) & (relief > 0)
+    wide = np.ones((2 * window.shape[0] + 1, 2 * window.shape[1] + 1), np.uint8)
+    summit |= (wide_px >= cv2.dilate(wide_px, wide)) & (wide_px > 2.0) & (relief > 0)
+    place = np.argwhere(summit & (labels > 0))
     if len(place) > most:
-        keep = np.argsort(-height)[:most]
-        place, height = place[keep], height[keep]
-    return Tops(place, height, labels[place[:, 0], place[:, 1]].astype(np.intp) - 1)
+        place = place[np.argsort(-relief[place[:, 0], place[:, 1]])[:most]]
+    rows, columns = place[:, 0], place[:, 1]
+    return Tops(
+        place,
+        relief[rows, columns].astype(np.float64),
+        wide_px[rows, columns].astype(np.float64),
+        labels[rows, columns].astype(np.intp) - 1,
+    )
 
 
 def _pairs(tops: Tops) -> tuple[Ints, Ints]:
