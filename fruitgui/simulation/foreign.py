@@ -128,7 +128,8 @@ def _cube(cells: int) -> tuple[F64, Ints]:
     face = np.concatenate(
         [np.stack([corner, corner + side, corner + side + 1], 1), np.stack([corner, corner + side + 1, corner + 1], 1)]
     )
-    vertices, triangles = [], []
+    vertices: list[F64] = []
+    triangles: list[Ints] = []
     for axis in range(3):
         for sign in (-1.0, 1.0):
             points = np.empty((len(u), 3))

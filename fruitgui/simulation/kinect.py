@@ -214,4 +214,5 @@ def dropped(scan: Scan, model: DepthModel, bank: NoiseBank, rng: Generator) -> B
 
 def to_millimetres(z_m: F32) -> U16:
     """Return depth in whole millimetres."""
-    return np.rint(z_m * np.float32(1000)).astype(np.uint16)
+    millimetres: U16 = np.rint(z_m * np.float32(1000)).astype(np.uint16)
+    return millimetres

@@ -119,7 +119,7 @@ def vignette(radius2: F32, model: ColorModel) -> F32:
 
 def gains(light: Light, model: ColorModel) -> F64:
     """Return the colour gains (3,) of light and camera together."""
-    return np.array(light.tint) * np.array(model.balance)
+    return np.asarray(np.array(light.tint) * np.array(model.balance))
 
 
 def linear(srgb: F64) -> F32:

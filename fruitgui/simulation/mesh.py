@@ -107,24 +107,24 @@ def _hull_2d(points: F64) -> Ints:
 def outline_length_m(mesh: Mesh, normal: F64, directions: int = 720) -> float:
     """Return the perimeter of the body's outline seen along `normal` (3,), the body star-shaped in that view.
 
-    The outline of a mesh consists of projected edges; it is traced by rays
-    from the middle of the projection to the farthest edge in each direction.
+    The outline of a mesh consists of projected edges; it is traced by rays from the middle
+    of the projection to the farthest edge in each direction.
     """
     _, _, Vt = np.linalg.svd(normal[None, :])
     flat = mesh.vertices_m @ Vt[1:].T
     flat = flat - flat[_hull_2d(flat)].mean(axis=0)
     edges = _edges(mesh.triangles)
     start, end = flat[edges[:, 0]], flat[edges[:, 1]]
-    near_rim = np.linalg.norm(start, axis=1) > 0.3 * np.linalg.norm(flat, axis=1).max() * 0.5
-    radii = _farthest_crossing(start[near_rim], end[near_rim], directions)
+    radii = _farthest_crossing(start, end, directions)
     angles = np.arange(directions) * 2 * np.pi / directions
     rim = np.stack([radii * np.cos(angles), radii * np.sin(angles)], axis=1)
     return float(np.linalg.norm(rim - np.roll(rim, 1, axis=0), axis=1).sum())
 
 
 def _edges(triangles: Ints) -> Ints:
+    """Return each edge of a closed mesh once, (E, 2)."""
     pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    return np.unique(np.sort(pairs, axis=1), axis=0)
+    return pairs[pairs[:, 0] < pairs[:, 1]]
 
 
 def _farthest_crossing(start: F64, end: F64, directions: int) -> F64:
@@ -151,7 +151,14 @@ def _farthest_crossing(start: F64, end: F64, directions: int) -> F64:
 def icosphere(subdivisions: int) -> tuple[F64, Ints]:
     """Return unit directions (V, 3) and triangles (T, 3) of a subdivided icosahedron (T = 20·4^subdivisions)."""
     golden = (1 + 5**0.5) / 2
-    corners = [(-1, golden, 0), (1, golden, 0), (-1, -golden, 0), (1, -golden, 0), (0, -1, golden), (0, 1, golden)]
+    corners: list[tuple[float, float, float]] = [
+        (-1, golden, 0),
+        (1, golden, 0),
+        (-1, -golden, 0),
+        (1, -golden, 0),
+        (0, -1, golden),
+        (0, 1, golden),
+    ]
     corners += [(0, -1, -golden), (0, 1, -golden), (golden, 0, -1), (golden, 0, 1), (-golden, 0, -1), (-golden, 0, 1)]
     vertices = np.array(corners, dtype=np.float64)
     triangles = np.array(

@@ -183,7 +183,7 @@ class Simulation:
     def frame(self, number: int) -> Frame:
         """Return the frame of capture `number` of `captures`."""
         capture = self.scene.captures[number]
-        eye = self._eye(capture.sensor)
+        eye = self.eye(capture.sensor)
         rng = np.random.default_rng([self.scene.seed, 2, number])
         bodies = self.in_sight(capture)
         depth_mm = eye.depth(bodies, rng)
@@ -207,7 +207,8 @@ class Simulation:
             self._sights[sensor] = sight_along_belt(self.rig_mount(sensor), self.device(sensor))
         return self._sights[sensor]
 
-    def _eye(self, sensor: str) -> Eye:
+    def eye(self, sensor: str) -> Eye:
+        """Return what renders a sensor's pictures."""
         if sensor not in self._eyes:
             number = self.sensors.index(sensor)
             rng = np.random.default_rng([self.scene.seed, 1, number])
@@ -215,9 +216,8 @@ class Simulation:
         return self._eyes[sensor]
 
     def _caster(self, body: Body) -> Caster:
-        if body.fruit_id not in self._casters:
-            self._casters[body.fruit_id] = Caster(body.mesh)
-        return self._casters[body.fruit_id]
+        found = self._casters.get(body.fruit_id)
+        return found if found is not None else self._casters.setdefault(body.fruit_id, Caster(body.mesh))
 
 
 def sight_along_belt(mount: Mount, device: Device) -> tuple[float, float]:

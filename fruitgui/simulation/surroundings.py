@@ -107,8 +107,11 @@ def look(surroundings: Surroundings, rays: F32, pose: Pose) -> Backdrop:
     on_belt = _add_level(0.0, belt, belt.colour, belt.infrared, origin, directions, (z, normal, albedo, infrared))
     facing = -(normal * directions).sum(axis=-1) / np.linalg.norm(directions, axis=-1)
     place = origin[:2] + directions[..., :2] * np.where(np.isfinite(z), z, 0.0)[..., None]
-    as_f32 = [np.ascontiguousarray(part, dtype=np.float32) for part in (z, normal, facing, albedo, infrared, place)]
-    return Backdrop(*as_f32[:5], on_belt, as_f32[5])
+    return Backdrop(_f32(z), _f32(normal), _f32(facing), _f32(albedo), _f32(infrared), on_belt, _f32(place))
+
+
+def _f32(values: F64) -> F32:
+    return np.ascontiguousarray(values, dtype=np.float32)
 
 
 _Layers = tuple[F64, F64, F64, F64]
@@ -128,7 +131,7 @@ def _add_level(
         y = origin[1] + t * directions[..., 1]
         seen &= (np.abs(y) <= belt.width_m / 2) & (x >= belt.ends_m[0]) & (x <= belt.ends_m[1])
     _paint(seen, t, np.array([0.0, 0.0, 1.0]), colour, infrared, (z, normal, albedo, ir))
-    return seen
+    return np.asarray(seen)
 
 
 def _add_block(block: Block, origin: F64, directions: F64, layers: _Layers) -> None:
