@@ -1,0 +1,35 @@
+"""Which format a recording is in."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from fruitgui.errors import InputError
+from fruitgui.sensors.recordings.mcap_file import McapFile
+from fruitgui.sensors.recordings.raw import Container
+from fruitgui.sensors.recordings.records import MAGIC
+
+_REMEDY = "Name an MCAP file (ROS 2 messages) or a ROS 1 .bag."
+
+
+def open_container(path: Path) -> Container:
+    """Return the container of a recording, told by its first bytes.
+
+    Raises:
+        InputError: missing, not a file, not readable, empty, or of no known format.
+    """
+    try:
+        if path.is_dir():
+            raise InputError("not_a_file", f"{path} is a folder, not a recording.", _REMEDY, file=path)
+        with path.open("rb") as file:
+            start = file.read(16)
+        if start.startswith(MAGIC):
+            return McapFile(path)
+    except OSError as error:
+        raise InputError(
+            "cannot_read", f"Cannot read {path}: {error.strerror}.", "Check the name and that the file may be read.",
+            file=path,
+        ) from error  # fmt: skip
+    if not start:
+        raise InputError("empty_recording", f"{path} is empty.", "Record again, or name another file.", file=path)
+    raise InputError("not_a_recording", f"{path} is not a recording that can be read.", _REMEDY, file=path)

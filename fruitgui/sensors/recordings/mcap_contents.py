@@ -1,0 +1,79 @@
+"""The table of contents at the end of a whole MCAP file."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import BinaryIO
+
+from fruitgui.sensors.recordings.raw import MalformedError, plain_type
+from fruitgui.sensors.recordings.records import CHANNEL, CHUNK_INDEX, FOOTER, MAGIC, SCHEMA, STATISTICS, Fields, walk
+
+_FOOTER_BYTES = 9 + 20 + len(MAGIC)
+_MAX_SUMMARY_BYTES = 64 * 1024 * 1024
+
+
+@dataclass(slots=True)
+class Contents:
+    """What the end of a file says is in it.
+
+    Attributes:
+        types: type name by topic, of the topics that have messages.
+        chunks: (earliest log time, byte where it starts) of each chunk.
+    """
+
+    types: dict[str, str] = field(default_factory=dict)
+    chunks: list[tuple[int, int]] = field(default_factory=list)
+
+
+def read_contents(file: BinaryIO, size: int) -> Contents | None:
+    """Return the table of contents, or None where the file has none that is sound."""
+    if size < _FOOTER_BYTES + len(MAGIC):
+        return None
+    file.seek(size - _FOOTER_BYTES)
+    footer = file.read(_FOOTER_BYTES)
+    opcode, length, start, _, _ = struct.unpack_from("<BQQQI", footer)
+    if opcode != FOOTER or length != 20 or footer[-len(MAGIC) :] != MAGIC:
+        return None
+    if not 0 < start <= size - _FOOTER_BYTES or size - start > _MAX_SUMMARY_BYTES:
+        return None
+    file.seek(start)
+    try:
+        return _read(file.read(size - _FOOTER_BYTES - start))
+    except MalformedError:
+        return None
+
+
+def _read(summary: bytes) -> Contents | None:
+    contents = Contents()
+    schemas: dict[int, str] = {}
+    channels: dict[int, tuple[str, str]] = {}
+    counts: dict[int, int] = {}
+    for opcode, record in walk(memoryview(summary)):
+        fields = Fields(record)
+        if opcode == SCHEMA:
+            schemas[fields.number("H")] = plain_type(fields.text())
+        elif opcode == CHANNEL:
+            channel, schema = fields.number("H"), fields.number("H")
+            channels[channel] = (fields.text(), schemas.get(schema, ""))
+        elif opcode == STATISTICS:
+            counts = _counts(fields)
+        elif opcode == CHUNK_INDEX:
+            start_time, _, start = fields.number("Q"), fields.number("Q"), fields.number("Q")
+            contents.chunks.append((start_time, start))
+    if not channels:
+        return None
+    contents.types = {topic: kind for channel, (topic, kind) in channels.items() if counts.get(channel, not counts)}
+    return contents
+
+
+def _counts(fields: Fields) -> dict[int, int]:
+    for code in "QHIIIIQQ":
+        fields.number(code)
+    return dict(_pairs(fields, fields.number("I") // 10))
+
+
+def _pairs(fields: Fields, count: int) -> Iterator[tuple[int, int]]:
+    for _ in range(min(count, 65536)):
+        yield fields.number("H"), fields.number("Q")

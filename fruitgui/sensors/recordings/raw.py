@@ -1,0 +1,92 @@
+"""What every container of recorded messages gives, whatever its format."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+Wanted = Callable[[str], bool]
+"""Tells whether the messages of a topic are wanted."""
+
+MAX_MESSAGE_BYTES = 128 * 1024 * 1024
+"""No image that this program reads is larger; a longer message is skipped unread."""
+
+MAX_CHUNK_BYTES = 256 * 1024 * 1024
+"""No chunk is unpacked beyond this, whatever it claims."""
+
+
+class MalformedError(ValueError):
+    """Bytes that are not what they claim to be. Never leaves the recordings."""
+
+
+@dataclass(frozen=True, slots=True)
+class RawMessage:
+    """One message as stored.
+
+    Attributes:
+        topic: with its leading slash.
+        type_name: like `sensor_msgs/Image`, without `/msg/`.
+        wire: `cdr` (ROS 2) or `ros1`.
+        log_time_ns: when it was recorded, host clock.
+        data: the serialised message.
+    """
+
+    topic: str
+    type_name: str
+    wire: str
+    log_time_ns: int
+    data: bytes
+
+
+@dataclass(slots=True)
+class Soundness:
+    """How far a file was sound; filled while it is read.
+
+    Attributes:
+        cut_at: byte at which reading had to stop before the end, or None.
+        bytes_unread: from there to the end of the file.
+        damaged: chunks and messages that were left out, by cause.
+    """
+
+    cut_at: int | None = None
+    bytes_unread: int = 0
+    damaged: dict[str, int] = field(default_factory=dict)
+
+    def skip(self, cause: str) -> None:
+        """Count one part left out for `cause`."""
+        self.damaged[cause] = self.damaged.get(cause, 0) + 1
+
+    def cut(self, position: int, size: int) -> None:
+        """Note that reading stopped at `position` of a file of `size` bytes."""
+        self.cut_at = position
+        self.bytes_unread = max(size - position, 0)
+
+
+class Container(Protocol):
+    """A file of recorded messages. Each call of `messages` reads it anew."""
+
+    @property
+    def metadata(self) -> Mapping[str, Mapping[str, str]]:
+        """Named records of text, as far as they were met (writers put them first)."""
+
+    @property
+    def topics(self) -> Mapping[str, str] | None:
+        """Type name by topic where the file has a sound table of contents, else None."""
+
+    @property
+    def soundness(self) -> Soundness:
+        """Of the latest reading."""
+
+    def messages(self, wanted: Wanted) -> Iterator[RawMessage]:
+        """Yield the messages of wanted topics in the order of the file, as far as it is sound.
+
+        Raises:
+            InputError: the file cannot be opened or is not of this format.
+        """
+
+
+def plain_type(name: str) -> str:
+    """Return `package/Type` of a ROS 1 or ROS 2 type name."""
+    parts = name.split("/")
+    return f"{parts[0]}/{parts[-1]}" if len(parts) > 1 else name

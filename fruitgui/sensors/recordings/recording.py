@@ -1,0 +1,203 @@
+"""A recording of one or several sensors, read from front to back."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from pathlib import Path
+
+from fruitgui.errors import InputError
+from fruitgui.frame import Frame
+from fruitgui.sensors.depth_correction import DepthCorrection
+from fruitgui.sensors.recordings.container import open_container
+from fruitgui.sensors.recordings.decoding import Decoder, UnusableSensorError, decoder_of
+from fruitgui.sensors.recordings.merge import Merge
+from fruitgui.sensors.recordings.pairing import Pair
+from fruitgui.sensors.recordings.raw import Container, MalformedError
+from fruitgui.sensors.recordings.survey import Survey, survey
+from fruitgui.sensors.recordings.tally import Tally
+from fruitgui.sensors.recordings.topics import SensorTopics, find_sensors
+from fruitgui.sensors.recordings.wire import stamp_ns
+from fruitgui.sensors.sensor import SensorInfo
+
+MAX_SENSORS = 64
+
+
+class Recording:
+    """The frames of a recording. Made by `open_recording`.
+
+    Attributes:
+        path: of the file.
+        sensors: who the sensors are, by id; all of these are read.
+        warnings: what is not as it should be, in words; more is added while frames are read.
+        tally: frames read and left out per sensor, of the latest reading.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        container: Container,
+        decoders: Mapping[str, Decoder],
+        topics: Mapping[str, SensorTopics],
+        sensors: Mapping[str, SensorInfo],
+        clock_offsets_s: Mapping[str, float],
+        warnings: Collection[str],
+    ) -> None:
+        self.path = path
+        self.sensors = dict(sensors)
+        self.tally = Tally()
+        self._container = container
+        self._decoders = decoders
+        self._clock_offsets_s = dict(clock_offsets_s)
+        self._opening_warnings = tuple(warnings)
+        self._roles = {topics[sensor].color: (sensor, False) for sensor in decoders}
+        self._roles |= {topics[sensor].depth: (sensor, True) for sensor in decoders}
+
+    @property
+    def warnings(self) -> list[str]:
+        """Everything that is not as it should be, in words."""
+        return [*self._opening_warnings, *self.tally.warnings(self.path)]
+
+    def frames(
+        self,
+        *,
+        clock_offsets: Mapping[str, float] | None = None,
+        corrections: Mapping[str, DepthCorrection] | None = None,
+    ) -> Iterator[tuple[float, Frame]]:
+        """Yield (time in the reference sensor's clock, frame) of all sensors in the order of that time.
+
+        Each call reads the file anew; nothing is held but the last seconds.
+        Frames of one sensor are always in order; those of different sensors
+        are as long as their clocks, offsets applied, differ by less than 2 s.
+
+        Args:
+            clock_offsets: seconds added to a sensor's stamps; None keeps those given on opening.
+            corrections: of each sensor's depth, applied once, here.
+
+        Raises:
+            InputError: at the end, where not one frame could be read.
+        """
+        offsets_s = self._clock_offsets_s if clock_offsets is None else clock_offsets
+        merge = Merge({sensor: round(seconds * 1e9) for sensor, seconds in offsets_s.items()})
+        self.tally = tally = Tally()
+        for sensor, pair in self._pairs(merge, tally):
+            correction = None if corrections is None else corrections.get(sensor)
+            try:
+                frame = self._decoders[sensor].decode(pair, tally.frames.get(sensor, 0), correction)
+            except MalformedError as error:
+                tally.undecodable(sensor, str(error))
+                continue
+            tally.read(sensor, pair.time_ns)
+            yield frame.time_s + offsets_s.get(sensor, 0.0), frame
+        for sensor in self._decoders:
+            tally.leave_out(sensor, merge.dropped(sensor))
+        tally.soundness = self._container.soundness
+        if not tally.frames:
+            raise self._no_frame()
+
+    def _pairs(self, merge: Merge, tally: Tally) -> Iterator[tuple[str, Pair]]:
+        for message in self._container.messages(self._roles.__contains__):
+            sensor, depth = self._roles[message.topic]
+            try:
+                stamp = stamp_ns(message)
+            except MalformedError as error:
+                if depth:
+                    tally.undecodable(sensor, str(error))
+                continue
+            yield from merge.add(sensor, stamp, message, depth=depth)
+        yield from merge.finish()
+
+    def _no_frame(self) -> InputError:
+        reasons = "; ".join(self.warnings) or "colour and depth never come together"
+        return InputError(
+            "no_frame",
+            f"Not one frame of {self.path} can be read: {reasons}",
+            "Record again, or name another file.",
+            file=self.path,
+        )
+
+
+def open_recording(
+    path: Path | str,
+    *,
+    topics: Mapping[str, SensorTopics] | None = None,
+    sensors: Collection[str] = (),
+    clock_offsets: Mapping[str, float] | None = None,
+) -> Recording:
+    """Open a recording and see which sensors are in it.
+
+    Args:
+        path: an MCAP file or a ROS 1 bag.
+        topics: topics named by a person, by sensor; see `parse_topics`.
+        sensors: ids of the sensors that are wanted; empty for all.
+        clock_offsets: seconds added to a sensor's stamps.
+
+    Raises:
+        InputError: not a recording, or no sensor of it can be read.
+    """
+    path = Path(path)
+    named = dict(topics or {})
+    container = open_container(path)
+    seen = survey(container, named, sensors)
+    found = _wanted_sensors(path, find_sensors(seen.types, named), sensors)
+    decoders, faults = _decoders(found, seen)
+    if not decoders:
+        raise faults[0].as_input_error(str(path))
+    infos = {sensor: _info(decoder, found[sensor], container, seen) for sensor, decoder in decoders.items()}
+    warnings = [f"{path.name}: {fault.what} It is left out. {fault.remedy}" for fault in faults]
+    return Recording(path, container, decoders, found, infos, clock_offsets or {}, warnings)
+
+
+def _wanted_sensors(
+    path: Path, found: Mapping[str, SensorTopics], wanted: Collection[str]
+) -> dict[str, SensorTopics]:
+    if not found:
+        raise InputError(
+            "no_sensor",
+            f"{path} holds no sensor whose topics are known.",
+            "Name its topics with --topics S:rgb=/…,info=/…,depth=/….",
+            file=path,
+        )
+    missing = [sensor for sensor in wanted if sensor not in found]
+    if missing:
+        raise InputError(
+            "unknown_sensor",
+            f"{path} holds no sensor {missing[0]}; it holds {', '.join(sorted(found)[:8])}.",
+            "Name sensors of the recording with --sensors.",
+            file=path,
+            where="--sensors",
+        )
+    chosen = {sensor: topics for sensor, topics in found.items() if not wanted or sensor in wanted}
+    if len(chosen) > MAX_SENSORS:
+        raise InputError(
+            "too_many_sensors",
+            f"{path} holds {len(chosen)} sensors; at most {MAX_SENSORS} can be read together.",
+            "Name those that are wanted with --sensors.",
+            file=path,
+        )
+    return dict(sorted(chosen.items()))
+
+
+def _decoders(
+    found: Mapping[str, SensorTopics], seen: Survey
+) -> tuple[dict[str, Decoder], list[UnusableSensorError]]:
+    decoders, faults = {}, []
+    for sensor, topics in found.items():
+        try:
+            decoders[sensor] = decoder_of(sensor, topics, seen)
+        except UnusableSensorError as fault:
+            faults.append(fault)
+    return decoders, faults
+
+
+def _info(decoder: Decoder, topics: SensorTopics, container: Container, seen: Survey) -> SensorInfo:
+    said = container.metadata.get(f"sensor/{decoder.sensor}", {})
+    return SensorInfo(
+        decoder.sensor,
+        said.get("make", ""),
+        said.get("model", ""),
+        said.get("serial", ""),
+        decoder.intrinsics,
+        seen.rate_hz(topics.depth),
+    )
+
+

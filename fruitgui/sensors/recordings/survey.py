@@ -1,0 +1,121 @@
+"""A first look at a recording: which sensors are in it, and what it takes to read each."""
+
+from __future__ import annotations
+
+import itertools
+import statistics
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
+
+from fruitgui.sensors.recordings.pictures import picture_size
+from fruitgui.sensors.recordings.raw import Container, MalformedError, RawMessage
+from fruitgui.sensors.recordings.topics import (
+    CAMERA_INFO_TYPE,
+    PICTURE_TYPES,
+    TRANSFORMS_TOPICS,
+    TRANSFORMS_TYPE,
+    SensorTopics,
+    find_sensors,
+)
+from fruitgui.sensors.recordings.wire import (
+    CameraInfo,
+    Picture,
+    Transform,
+    read_camera_info,
+    read_picture,
+    read_transforms,
+)
+
+_ENOUGH_STAMPS = 6
+_LOOK_NS = 5_000_000_000
+_LOOK_BYTES = 512 * 1024 * 1024
+_CHECK_BYTES = 4 * 1024 * 1024
+
+
+@dataclass(slots=True)
+class Survey:
+    """What the beginning of a recording holds.
+
+    Attributes:
+        types: type name by topic.
+        sizes: (width, height) of the first sound picture of each topic.
+        frame_ids: frame of that picture.
+        stamps_ns: first stamps of each topic, at most a few.
+        cameras: what each camera_info topic says.
+        transforms: all static transforms met.
+        faults: the last fault met on a topic.
+    """
+
+    types: dict[str, str] = field(default_factory=dict)
+    sizes: dict[str, tuple[int, int]] = field(default_factory=dict)
+    frame_ids: dict[str, str] = field(default_factory=dict)
+    stamps_ns: dict[str, list[int]] = field(default_factory=dict)
+    cameras: dict[str, CameraInfo] = field(default_factory=dict)
+    transforms: list[Transform] = field(default_factory=list)
+    faults: dict[str, str] = field(default_factory=dict)
+
+    def rate_hz(self, topic: str) -> float:
+        """Return the frame rate by the first stamps, 0 where they do not say."""
+        stamps = sorted(set(self.stamps_ns.get(topic, ())))
+        gaps = [after - before for before, after in itertools.pairwise(stamps)]
+        return 1e9 / statistics.median(gaps) if gaps else 0.0
+
+
+def survey(container: Container, named: Mapping[str, SensorTopics], only: Collection[str]) -> Survey:
+    """Read until every sensor is known, or to the end where one stays incomplete.
+
+    Args:
+        container: the recording.
+        named: topics that a person named, by sensor.
+        only: ids of the sensors that are wanted; empty for all.
+    """
+    seen = Survey(dict(container.topics or {}))
+    looked_bytes, check_at, began_ns = 0, _CHECK_BYTES, None
+    for message in container.messages(lambda _topic: True):
+        seen.types.setdefault(message.topic, message.type_name)
+        began_ns = message.log_time_ns if began_ns is None else began_ns
+        looked_bytes += len(message.data)
+        _note(seen, message)
+        if looked_bytes < check_at:
+            continue
+        check_at = looked_bytes + _CHECK_BYTES
+        looked_enough = message.log_time_ns - began_ns > _LOOK_NS or looked_bytes > _LOOK_BYTES
+        if (container.topics or looked_enough) and _complete(seen, named, only):
+            break
+    return seen
+
+
+def _note(seen: Survey, message: RawMessage) -> None:
+    """Take from a message what is not known yet."""
+    try:
+        if message.type_name in PICTURE_TYPES:
+            _note_picture(seen, message.topic, read_picture(message))
+        elif message.type_name == CAMERA_INFO_TYPE and message.topic not in seen.cameras:
+            seen.cameras[message.topic] = read_camera_info(message)
+        elif message.type_name == TRANSFORMS_TYPE and message.topic in TRANSFORMS_TOPICS:
+            seen.transforms += read_transforms(message)
+    except MalformedError as error:
+        seen.faults[message.topic] = str(error)
+
+
+def _note_picture(seen: Survey, topic: str, picture: Picture) -> None:
+    stamps = seen.stamps_ns.setdefault(topic, [])
+    if topic not in seen.sizes:
+        seen.sizes[topic] = picture_size(picture)
+        seen.frame_ids[topic] = picture.frame_id
+    if len(stamps) < _ENOUGH_STAMPS:
+        stamps.append(picture.stamp_ns)
+
+
+def _complete(seen: Survey, named: Mapping[str, SensorTopics], only: Collection[str]) -> bool:
+    sensors = find_sensors(seen.types, named)
+    wanted = [topics for sensor, topics in sensors.items() if not only or sensor in only]
+    return bool(wanted) and all(_sensor_complete(seen, topics) for topics in wanted)
+
+
+def _sensor_complete(seen: Survey, topics: SensorTopics) -> bool:
+    if not (topics.color and topics.depth):
+        return True
+    pictures = topics.color in seen.sizes and len(seen.stamps_ns.get(topics.depth, ())) >= _ENOUGH_STAMPS
+    cameras = topics.color_info in seen.cameras and (not topics.depth_info or topics.depth_info in seen.cameras)
+    return pictures and cameras and (not topics.depth_info or bool(seen.transforms))
