@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from fruitgui.calibration import Calibration, Reason, Refusal, calibrate
+from fruitgui.calibration.calibrate import calibrate
+from fruitgui.calibration.result import Calibration, PairQuality, Reason, Refusal, SensorQuality
 from fruitgui.errors import InputError
 from fruitgui.frame import Frame
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
@@ -28,13 +29,15 @@ class CalibrationOutcome:
 
     Attributes:
         station: the station, or None where it was refused.
-        quality: by sensor, for people.
+        sensors: quality by sensor.
+        pairs: quality of every pair that was tried.
         reasons: why it was refused; empty where accepted.
         warnings: what a person should know all the same.
     """
 
     station: Station | None
-    quality: Mapping[str, Mapping[str, object]]
+    sensors: Mapping[str, SensorQuality]
+    pairs: tuple[PairQuality, ...]
     reasons: tuple[Reason, ...]
     warnings: tuple[str, ...]
 
@@ -48,7 +51,8 @@ class CalibrationOutcome:
         return {
             "accepted": self.accepted,
             "station": str(path) if self.accepted else None,
-            "sensors": {name: dict(quality) for name, quality in self.quality.items()},
+            "sensors": {name: quality_value(quality) for name, quality in self.sensors.items()},
+            "pairs": [quality_value(pair) for pair in self.pairs],
             "reasons": [
                 {"code": reason.code, "sensors": list(reason.sensors), "what": reason.what, "remedy": reason.remedy}
                 for reason in self.reasons
@@ -58,20 +62,24 @@ class CalibrationOutcome:
 
     def lines(self, path: Path) -> list[str]:
         """Return what to tell a person."""
-        lines = [f"  {name}: {_in_words(quality)}" for name, quality in self.quality.items()]
-        if self.accepted:
-            return [f"Calibrated {len(self.quality)} sensors.", *lines, f"Station: {path}"]
-        return ["Not calibrated; nothing was written.", *lines]
+        if not self.accepted:
+            return ["Not calibrated; nothing was written."]
+        placed = [f"  {name:<16} {_in_words(quality)}" for name, quality in self.sensors.items()]
+        return [f"Calibrated {len(placed)} sensors.", *placed, f"Station: {path}"]
 
 
-def _in_words(quality: Mapping[str, object]) -> str:
-    texts = []
-    for name, value in quality.items():
-        if isinstance(value, float) and math.isfinite(value):
-            texts.append(f"{name} {value:.3g}")
-        elif isinstance(value, str | int):
-            texts.append(f"{name} {value}")
-    return ", ".join(texts)
+def _in_words(quality: SensorQuality) -> str:
+    position_mm, angle_deg = quality.position_std_m * 1e3, math.degrees(quality.angle_std_rad)
+    return (
+        f"{quality.word}: placed within ±{1.96 * position_mm:.1f} mm and ±{1.96 * angle_deg:.2f}° (95 %), "
+        f"belt flat within {quality.surface_rms_m * 1e3:.1f} mm"
+    )
+
+
+def quality_value(quality: SensorQuality | PairQuality) -> dict[str, Any]:
+    """Return a quality record as JSON; what is not a finite number is null."""
+    value = asdict(quality)
+    return {name: None if isinstance(one, float) and not math.isfinite(one) else one for name, one in value.items()}
 
 
 def calibrate_recording(
@@ -93,11 +101,11 @@ def calibrate_recording(
     result = calibrate(stills, reference, lambda share, doing: progress(0.3 + 0.7 * share, doing), cancelled)
     warnings = (*recording.warnings, *result.warnings)
     if isinstance(result, Refusal):
-        return CalibrationOutcome(None, result.quality, result.reasons, warnings)
+        return CalibrationOutcome(None, result.sensors, result.pairs, result.reasons, warnings)
     serials = {name: info.serial for name, info in recording.sensors.items()}
     station = station_of(result, serials, source.clock_offsets_s)
     write_station(out, station)
-    return CalibrationOutcome(station, result.quality, (), warnings)
+    return CalibrationOutcome(station, result.sensors, result.pairs, (), warnings)
 
 
 def check_reference(recording: Recording, reference: str | None, path: Path) -> None:
@@ -133,7 +141,7 @@ def station_of(result: Calibration, serials: Mapping[str, str], clock_offsets_s:
             pose=mount.pose,
             surface=mount.surface,
             clock_offset_s=clock_offsets_s.get(name, 0.0),
-            quality=result.quality.get(name, {}),
+            quality=quality_value(result.sensors[name]),
         )
         for name, mount in result.rig.mounts.items()
     }
