@@ -52,9 +52,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return WorldError.exit_code
     except MemoryError:
-        error = WorldError("out_of_memory", "The machine has no memory left for this.", "Close other programs.")
-        console.error(error)
-        return error.exit_code
+        full = WorldError("out_of_memory", "The machine has no memory left for this.", "Close other programs.")
+        console.error(full)
+        return full.exit_code
     return code
 
 
