@@ -6,8 +6,47 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
-from fruitgui.frame import F64
+from fruitgui.frame import F64, Ints
+
+Contour = NDArray[np.int32]
+"""An outline as OpenCV gives it: (K, 1, 2), closed, u and v."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outlines:
+    """The outlines of N fruit, one after another; M places in all.
+
+    Attributes:
+        each: N outlines (K, 1, 2) int32, crop pixels, u and v.
+        places: (M, 2) int32, all of them.
+        owner: (M,) whose each place is, 0-based.
+        starts, counts: (N,) where each outline begins, and its length.
+    """
+
+    each: tuple[Contour, ...]
+    places: NDArray[np.int32]
+    owner: Ints
+    starts: Ints
+    counts: Ints
+
+    def boxes(self) -> NDArray[np.int32]:
+        """Return the smallest and largest u and v of each outline, (N, 4): left, top, right, bottom."""
+        low = np.minimum.reduceat(self.places, self.starts, axis=0)
+        return np.hstack([low, np.maximum.reduceat(self.places, self.starts, axis=0)])
+
+    def sums(self, values: F64) -> F64:
+        """Return the sum of values (M,) over each outline, (N,)."""
+        return np.asarray(np.bincount(self.owner, weights=values, minlength=len(self.counts)))
+
+
+def joined(contours: tuple[Contour, ...]) -> Outlines:
+    """Return outlines (at least one) laid one after another."""
+    counts = np.array([len(contour) for contour in contours], dtype=np.intp)
+    starts = np.cumsum(counts) - counts
+    owner = np.repeat(np.arange(len(contours)), counts)
+    return Outlines(contours, np.concatenate(contours)[:, 0, :], owner, starts, counts)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,15 +76,15 @@ class Ellipses:
         return self.area_px / np.maximum(self.hull_px, 1e-9)
 
 
-def fit_ellipses(contours: tuple[np.ndarray, ...]) -> Ellipses:
-    """Fit an ellipse to every outline (K, 1, 2), K ≥ 5 (Fitzgibbon, Pilu & Fisher 1999)."""
-    rows = np.array([_ellipse_row(contour) for contour in contours]).reshape(-1, 7)
+def fit_ellipses(outlines: Outlines) -> Ellipses:
+    """Fit an ellipse to every outline, of at least 5 places each (Fitzgibbon, Pilu & Fisher 1999)."""
+    rows = np.array([_ellipse_row(contour) for contour in outlines.each])
     centre, axes, angle = rows[:, :2], np.maximum(rows[:, 2:4], 1.0), rows[:, 4]
-    error, tips = _errors(contours, centre, axes, angle)
+    error, tips = _errors(outlines, centre, axes, angle)
     return Ellipses(centre, axes, angle, error, tips, rows[:, 5], rows[:, 6])
 
 
-def _ellipse_row(contour: np.ndarray) -> tuple[float, ...]:
+def _ellipse_row(contour: Contour) -> tuple[float, ...]:
     (u, v), (first, second), degrees = cv2.fitEllipseDirect(contour)
     if not np.isfinite(first + second + u + v) or min(first, second) <= 0.0:
         (u, v), (first, second), degrees = cv2.minAreaRect(contour)
@@ -55,21 +94,16 @@ def _ellipse_row(contour: np.ndarray) -> tuple[float, ...]:
     return u, v, first, second, float(np.deg2rad(degrees)), cv2.contourArea(contour), hull
 
 
-def _errors(contours: tuple[np.ndarray, ...], centre: F64, axes: F64, angle: F64) -> tuple[F64, F64]:
+def _errors(outlines: Outlines, centre: F64, axes: F64, angle: F64) -> tuple[F64, F64]:
     """Return rms of (distance from the centre / ellipse's radius in that direction − 1), and its mean at the tips."""
-    if not contours:
-        return np.zeros(0), np.zeros(0)
-    counts = np.array([len(contour) for contour in contours])
-    owner = np.repeat(np.arange(len(contours)), counts)
-    offset = np.concatenate(contours)[:, 0, :] - centre.take(owner, axis=0)
-    cosine, sine = np.cos(angle).take(owner), np.sin(angle).take(owner)
-    half = (0.5 * axes).take(owner, axis=0)
-    along = (offset[:, 0] * cosine + offset[:, 1] * sine) / half[:, 0]
-    across = (offset[:, 1] * cosine - offset[:, 0] * sine) / half[:, 1]
+    owner = outlines.owner
+    u, v = (outlines.places - centre.take(owner, axis=0)).T
+    turn = np.stack([np.cos(angle), np.sin(angle)]) * 2.0
+    along_u, along_v = (turn / axes[:, 0]).take(owner, axis=1)
+    across_v, across_u = (turn / axes[:, 1]).take(owner, axis=1)
+    along, across = u * along_u + v * along_v, v * across_v - u * across_u
     distance = np.sqrt(along * along + across * across)
     deviation = distance - 1.0
     tip = (np.abs(along) > 0.92 * distance).astype(np.float64)
-    square, at_tips, tips = (
-        np.bincount(owner, weights=values, minlength=len(contours)) for values in (deviation**2, deviation * tip, tip)
-    )
-    return np.sqrt(square / counts), at_tips / np.maximum(tips, 1.0)
+    error = np.sqrt(outlines.sums(deviation * deviation) / outlines.counts)
+    return error, outlines.sums(deviation * tip) / np.maximum(outlines.sums(tip), 1.0)

@@ -49,7 +49,7 @@ class Segmenter:
         bridged = self._over_holes(depth, solid)
         opened = cv2.morphologyEx(bridged, cv2.MORPH_OPEN, self._thin)
         contours, _ = cv2.findContours(opened, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-        kept = self._large_enough(contours, depth)
+        kept = self._large_enough(contours)
         labels = np.zeros(self._limits.shape, np.uint8)
         for number, contour in enumerate(kept):
             cv2.drawContours(labels, [contour], 0, number + 1, cv2.FILLED)
@@ -61,20 +61,20 @@ class Segmenter:
         missing = cv2.compare(depth, 0, cv2.CMP_EQ)
         return np.asarray(cv2.bitwise_or(solid, cv2.bitwise_and(closed, missing)))
 
-    def _large_enough(self, contours: tuple[np.ndarray, ...], depth: U16) -> tuple[np.ndarray, ...]:
+    def _large_enough(self, contours: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
         """Keep outlines with at least the pixels of half the smallest fruit, seen at their own distance."""
         found = []
         for contour in contours:
             if len(contour) < 8:
                 continue
             area = cv2.contourArea(contour)
-            if area >= self._least_area(contour, depth):
+            if area >= self._least_area(contour):
                 found.append((area, contour))
         found.sort(key=lambda pair: -pair[0])
         return tuple(contour for _, contour in found[:MOST_GROUPS])
 
-    def _least_area(self, contour: np.ndarray, depth: U16) -> float:
-        readings = depth[contour[::4, 0, 1], contour[::4, 0, 0]]
-        readings = readings[readings > 0]
-        z_m = float(np.median(readings)) * 1e-3 if len(readings) else self._limits.belt_z_m
+    def _least_area(self, contour: np.ndarray) -> float:
+        """Return half the area of the smallest fruit in pixels where the group stands, by the belt's distance there."""
+        column, row = contour[0, 0].tolist()
+        z_m = self._limits.offset_m / max(self._limits.slope.item(row, column), 1e-3)
         return float(0.5 * np.pi / 4.0 * self._limits.pixels_of(self._settings.smallest_m, z_m) ** 2)
