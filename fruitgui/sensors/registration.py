@@ -14,24 +14,20 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from fruitgui.frame import F32, F64, U16, Bools, Intrinsics
+from fruitgui.frame import F32, F64, U16, Intrinsics
 from fruitgui.geometry.pose import Pose
+from fruitgui.sensors.lens import pixels_of_rays
 
-_NEAREST_M = 0.3
-_EXACT_PX = 0.05
-"""A polynomial that is nearer to the true pixel than this stands in for the full projection."""
+_NEAREST_M, _FARTHEST_M = 0.3, 8.0
+_FARTHEST_MM = 60000.0
+_CLOSE_ENOUGH_PX = 0.1
+"""A polynomial nearer than this to the true pixel, everywhere in view, stands in for the projection."""
 _SAME_SURFACE_SHIFT = 6
 """Readings nearer to each other than 1/64 of the distance are of one surface."""
-_EMPTY = 65535
-_FARTHEST_MM = 60000.0
-_NOWHERE = 0
-"""Place in the canvas, a corner of its border, of readings that are not drawn."""
+_EMPTY = 64000
+"""Stands for "no reading" while readings are drawn: farther than any, and any reading goes before it."""
 _NO_GAPS_BELOW = 0.98
 _WIDEST_GAP_PX = 8
-
-
-class DegenerateRegistrationError(ValueError):
-    """The colour camera cannot see what the depth camera sees."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,23 +51,18 @@ class Registration:
             depth_mm: (depth.height, depth.width), 0 = no reading.
         """
         z_mm = np.ascontiguousarray(depth_mm).ravel()
-        places = self._places(z_mm)
-        z_in_color = self._z_in_color(z_mm)
-        places[(z_mm == 0) | (z_in_color == _EMPTY)] = _NOWHERE
-        canvas = np.full((self.color.height + 2) * (self.color.width + 2), _EMPTY, dtype=np.uint16)
-        _draw_nearest(canvas, places, z_in_color)
-        picture = canvas.reshape(self.color.height + 2, self.color.width + 2)[1:-1, 1:-1]
-        picture = np.where(picture == _EMPTY, np.uint16(0), picture)
-        return _without_gaps(picture, *self._gaps)
+        z_in_color, places = self._z_in_color(z_mm), self._places(z_mm)
+        rows, columns = self.color.height + 2, self.color.width + 2
+        picture = _nearest(rows, columns, places, z_in_color)[1:-1, 1:-1]
+        return _without_gaps(np.where(picture == _EMPTY, np.uint16(0), picture), *self._gaps)
 
     def _places(self, z_mm: U16) -> NDArray[np.int32]:
         """Return where in the canvas, which has a border of one pixel, each reading falls."""
-        if self._polynomial is None:
-            pixels = self._pixels_exactly(z_mm.astype(np.float64) * 1e-3).astype(np.float32)
-            u, v = pixels[:, 0], pixels[:, 1]
+        if self._polynomials is None:
+            u, v = (one.astype(np.float32) for one in self._pixels(np.maximum(z_mm, 1) * 1e-3))
         else:
-            w = _inverse_depth_table()[z_mm]
-            u, v = (_value(coefficients, w) for coefficients in self._polynomial)
+            w = _INVERSE_DEPTH[z_mm]
+            u, v = (_value(coefficients, w) for coefficients in self._polynomials)
         np.clip(u, -1.0, self.color.width, out=u)
         np.clip(v, -1.0, self.color.height, out=v)
         u += np.float32(1.5)
@@ -82,72 +73,56 @@ class Registration:
         return places
 
     def _z_in_color(self, z_mm: U16) -> U16:
-        z = z_mm * self._directions[:, 2]
+        """Return the depth along the colour camera's axis, `_EMPTY` where there is none."""
+        z = z_mm * self._directions[2]
         z += np.float32(self.pose.translation_m[2] * 1e3 + 0.5)
-        np.copyto(z, np.float32(_EMPTY), where=(z < 1.0) | (z > _FARTHEST_MM))
+        np.copyto(z, np.float32(_EMPTY), where=(z_mm == 0) | (z < 1.0) | (z > _FARTHEST_MM))
         return z.astype(np.uint16)
 
     @cached_property
     def _directions(self) -> F32:
-        """Rays of all depth pixels, z = 1 before turning, in the colour camera's axes: (N, 3)."""
+        """Rays of all depth pixels, z = 1 before turning, in the colour camera's axes: (3, N)."""
         rays = self.depth.rays().reshape(-1, 2).astype(np.float64)
-        directions = self.pose.turn(np.hstack([rays, np.ones((len(rays), 1))]))
-        return np.asarray(directions, dtype=np.float32, order="F")
+        directions = self.pose.rotation @ np.vstack([rays.T, np.ones(len(rays))])
+        return directions.astype(np.float32)
 
-    def _pixels_exactly(self, z_m: F64) -> F64:
-        """Return the colour pixels (N, 2) of one depth per depth pixel; far outside where it is not in view."""
-        points = self._directions.astype(np.float64) * z_m[:, None] + self.pose.translation_m
-        ahead = points[:, 2] > 1e-3
-        points[~ahead] = (0.0, 0.0, 1.0)
-        pixels = self.color.project(points)
-        outside = ~(ahead & self._in_lens(points))
-        pixels[outside] = -1e4
-        return pixels
-
-    def _in_lens(self, points_m: F64) -> Bools:
-        """Tell which points are within the picture as the lens bends it.
-
-        Outside it the lens polynomial is not defined and may fold back into the picture.
-        """
-        if not self.color.distortion:
-            return np.ones(len(points_m), dtype=bool)
-        rays = self.color.rays()
-        x, y = points_m[:, 0] / points_m[:, 2], points_m[:, 1] / points_m[:, 2]
-        low, high = rays.min(axis=(0, 1)) - 0.05, rays.max(axis=(0, 1)) + 0.05
-        return np.asarray((x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1]))
+    def _pixels(self, z_m: F64) -> tuple[F64, F64]:
+        """Return the colour pixels of one depth (N,) or () per depth pixel; far outside where behind the camera."""
+        x, y, z = (d * z_m + t for d, t in zip(self._directions, self.pose.translation_m, strict=True))
+        ahead = z > 1e-3
+        z = np.where(ahead, z, 1.0)
+        u, v = pixels_of_rays(self.color, x / z, y / z)
+        return np.where(ahead, u, -1e4), np.where(ahead, v, -1e4)
 
     @cached_property
-    def _polynomial(self) -> tuple[F32, F32] | None:
-        """Coefficients in inverse depth of each depth pixel's u and v, (3, N) each; None where they do not hold."""
-        w = np.array([0.05, 0.4, 0.7]) / _NEAREST_M * 1.0
-        w = np.array([w[0], 0.5 * (w[0] + 1.0 / _NEAREST_M), 1.0 / _NEAREST_M])
-        count = len(self._directions)
-        samples = np.stack([self._pixels_exactly(np.full(count, 1.0 / one)) for one in w])
-        inverse = np.linalg.inv(np.vander(w, 3, increasing=True))
-        coefficients = np.einsum("ij,jnk->kin", inverse, samples)
-        seen = (samples > -1e3).all(axis=(0, 2))
-        if not seen.all():
-            coefficients[:, 0, ~seen] = -1e4
-            coefficients[:, 1:, ~seen] = 0.0
-        for between in (w[0] * 0.7 + w[2] * 0.3, w[0] * 0.3 + w[2] * 0.7):
-            true = self._pixels_exactly(np.full(count, 1.0 / between))
-            guess = coefficients[:, 0] + between * (coefficients[:, 1] + between * coefficients[:, 2])
-            inside = (true > -1e3).all(axis=1) & self._in_picture(true)
-            if np.abs(guess.T - true)[inside].max(initial=0.0) > _EXACT_PX:
+    def _polynomials(self) -> tuple[F32, F32] | None:
+        """Coefficients in inverse depth of each depth pixel's u and v, (3, N) each; None where they do not hold.
+
+        A reading moves along its epipolar line as its depth changes, smoothly in
+        inverse depth; for cameras a few centimetres apart a parabola is exact to
+        hundredths of a pixel.
+        """
+        low, high = 1.0 / _FARTHEST_M, 1.0 / _NEAREST_M
+        nodes = 0.5 * (low + high) + 0.5 * (high - low) * np.cos(np.pi * np.array([1, 3, 5]) / 6)
+        samples = np.stack([self._pixels(np.array(1.0 / w)) for w in nodes])
+        coefficients = np.einsum("ij,jan->ain", np.linalg.inv(np.vander(nodes, 3, increasing=True)), samples)
+        for w in np.linspace(low, high, 5):
+            true = np.stack(self._pixels(np.array(1.0 / w)))
+            error = np.abs(_value(coefficients[0], w) - true[0]), np.abs(_value(coefficients[1], w) - true[1])
+            if max(one[self._in_picture(true)].max(initial=0.0) for one in error) > _CLOSE_ENOUGH_PX:
                 return None
         u, v = coefficients.astype(np.float32)
         return u, v
 
-    def _in_picture(self, pixels: F64) -> Bools:
-        u, v = pixels[:, 0], pixels[:, 1]
+    def _in_picture(self, pixels: F64) -> NDArray[np.bool_]:
+        u, v = pixels
         return np.asarray((u > -1) & (u < self.color.width) & (v > -1) & (v < self.color.height))
 
     @cached_property
     def _gaps(self) -> tuple[int, int]:
         """Empty pixels that may lie between neighbours of one surface at 1 m: (along rows, along columns)."""
-        shape = (self.depth.height, self.depth.width, 2)
-        pixels = self._pixels_exactly(np.ones(self.depth.height * self.depth.width)).reshape(shape)
-        return _gap(np.diff(pixels[..., 0], axis=1)), _gap(np.diff(pixels[..., 1], axis=0))
+        u, v = (one.reshape(self.depth.height, self.depth.width) for one in self._pixels(np.array(1.0)))
+        return _gap(np.diff(u, axis=1)), _gap(np.diff(v, axis=0))
 
 
 def _gap(steps_px: F64) -> int:
@@ -160,11 +135,7 @@ _INVERSE_DEPTH = np.zeros(65536, dtype=np.float32)
 _INVERSE_DEPTH[1:] = 1000.0 / np.arange(1, 65536)
 
 
-def _inverse_depth_table() -> F32:
-    return _INVERSE_DEPTH
-
-
-def _value(coefficients: F32, w: F32) -> F32:
+def _value(coefficients: NDArray[np.floating], w: NDArray[np.floating] | float) -> NDArray[np.floating]:
     value = coefficients[2] * w
     value += coefficients[1]
     value *= w
@@ -172,18 +143,23 @@ def _value(coefficients: F32, w: F32) -> F32:
     return value
 
 
-def _draw_nearest(canvas: U16, places: NDArray[np.int32], z_mm: U16) -> None:
-    """Write each reading to its place; where several meet, one of the nearest surface stays.
+def _nearest(rows: int, columns: int, places: NDArray[np.int32], z_mm: U16) -> U16:
+    """Draw each reading at its place; where several meet, one of the nearest surface stays.
 
     Of readings of one surface any may stay: always keeping the least would pull
     the surface towards the sensor by the noise.
     """
-    drawn = z_mm
-    while len(places):
-        canvas[places] = drawn
-        canvas[_NOWHERE] = 0
-        nearer = drawn + (drawn >> _SAME_SURFACE_SHIFT) < canvas[places]
-        places, drawn = places[nearer], drawn[nearer]
+    canvas = np.full(rows * columns, _EMPTY, dtype=np.uint16)
+    canvas[places] = z_mm
+    picture = canvas.reshape(rows, columns)
+    picture[(0, -1), :] = 0
+    picture[:, (0, -1)] = 0
+    nearer = z_mm + (z_mm >> _SAME_SURFACE_SHIFT) < canvas[places]
+    while nearer.any():
+        places, z_mm = places[nearer], z_mm[nearer]
+        canvas[places] = z_mm
+        nearer = z_mm + (z_mm >> _SAME_SURFACE_SHIFT) < canvas[places]
+    return picture
 
 
 def _without_gaps(depth_mm: U16, along_rows: int, along_columns: int) -> U16:

@@ -44,7 +44,7 @@ class Messages:
         bgr = cv2.cvtColor(np.ascontiguousarray(color), cv2.COLOR_RGB2BGR)
         done, packed = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, _JPEG_QUALITY])
         if not done:
-            raise WorldError("cannot_encode", "A colour picture cannot be packed as JPEG.", "Look at the sensor's picture.")
+            raise WorldError("cannot_encode", "A colour picture cannot be packed as JPEG.", "Look at the sensor.")
         header = self._header(stamp_ns, frame_id)
         return self._serialised(COMPRESSED_IMAGE, header=header, format="jpeg", data=packed.reshape(-1))
 
