@@ -63,7 +63,7 @@ class BeltColour:
     value: float
 
 
-def belt_colour(color: U8, labels: U8, limits: DepthLimits, every: int = 8) -> BeltColour:
+def belt_colour(color: U8, labels: U8, limits: DepthLimits, every: int = 16) -> BeltColour:
     """Return the belt's colour: medians over a coarse grid of the pixels of the crop that can hold fruit and do not."""
     grid = color[limits.crop][::every, ::every].reshape(-1, 3)
     bare = np.flatnonzero((labels[::every, ::every] == 0) & (limits.farthest_mm[::every, ::every] > 0))

@@ -9,7 +9,7 @@ import numpy as np
 from fruitgui.frame import F32, F64, U8, U16, Ints
 from fruitgui.perception.limits import DepthLimits
 
-ENOUGH_PIXELS = 24_000
+ENOUGH_PIXELS = 16_000
 """Where a frame's fruit have more pixels than this, every second is left out: errors of depth are correlated over
 some nine pixels (method 1.2), so what is left out would tell nothing new."""
 

@@ -23,9 +23,6 @@ from fruitgui.perception.segment import MOST_GROUPS, Groups
 from fruitgui.perception.settings import PerceptionSettings
 
 
-CROSS = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Parts:
     """The fruit of a frame, after splitting; N of them.
@@ -104,14 +101,12 @@ class HeightSplitter:
         self._settings = settings
         smallest_px = limits.pixels_of(settings.smallest_m, limits.belt_z_m)
         self._scale = 2 if smallest_px >= 6.0 else 1
-        rows, columns = limits.shape
-        self._size = (max(columns // self._scale, 1), max(rows // self._scale, 1))
-        self._slope = cv2.resize(limits.slope, self._size, interpolation=cv2.INTER_AREA)
+        self._slope = np.ascontiguousarray(limits.slope[:: self._scale, :: self._scale])
         reach = int(np.clip(round(0.3 * smallest_px / self._scale), 1, 6))
         self._window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
         belt_z = np.array(limits.belt_z_m)
-        # Across two pixels a surface seen at 63° recedes by 2 tan 63° pixels; the depth's own steps add to it.
-        self._allowed_mm = 1e3 * (4.0 * limits.belt_z_m / limits.focal_px + 1.5 * float(settings.step_at_m(belt_z)))
+        # A surface seen at 63° recedes by tan 63° = 2 pixels' width per pixel; the depth's own steps add to it.
+        self._allowed_mm = 1e3 * (2.0 * self._scale * limits.belt_z_m / limits.focal_px + 1.5 * float(settings.step_at_m(belt_z)))
         self._least_dip_m = max(0.005, 3.0 * float(settings.noise_at_m(belt_z)))
         self._least_px = 0.3 * np.pi / 4.0 * smallest_px**2
 
@@ -119,7 +114,8 @@ class HeightSplitter:
         """Return the fruit in the groups of a depth image (height, width)."""
         if not groups.contours:
             return unsplit(groups)
-        labels = cv2.resize(groups.labels, self._size, interpolation=cv2.INTER_NEAREST)
+        s = self._scale
+        labels = np.ascontiguousarray(groups.labels[::s, ::s])
         relief = self._relief(groups, depth_mm, labels)
         wide_px = cv2.distanceTransform(cv2.compare(labels, 0, cv2.CMP_GT), cv2.DIST_L2, 3)
         tops = find_tops(relief, wide_px, labels, self._window)
@@ -132,22 +128,27 @@ class HeightSplitter:
 
     def _relief(self, groups: Groups, depth_mm: U16, labels: U8) -> F32:
         """Return heights above the belt on the coarse grid, gaps filled from around them, jumps dug as moats."""
-        depth = cv2.copyTo(depth_mm[self._limits.crop], groups.solid)
-        total = cv2.resize(depth, self._size, interpolation=cv2.INTER_AREA).astype(np.float32)
-        share = cv2.resize(groups.solid, self._size, interpolation=cv2.INTER_AREA).astype(np.float32)
-        total, share = cv2.blur(total, (3, 3)), cv2.blur(share, (3, 3))
-        z_m = total * np.float32(0.255) / np.maximum(share, np.float32(1.0))
-        seen = share > 8.0
-        relief = np.float32(self._limits.offset_m) - self._slope * z_m - np.float32(2e-3) * self._moats(depth, groups.solid)
-        relief[(labels == 0) | ~seen] = 0.0
+        s = self._scale
+        solid = np.ascontiguousarray(groups.solid[::s, ::s])
+        depth = cv2.copyTo(np.ascontiguousarray(depth_mm[self._limits.crop][::s, ::s]), solid)
+        moat = self._moats(depth, solid)
+        share = cv2.blur(solid.astype(np.float32), (3, 3))
+        z_mm = cv2.divide(cv2.blur(depth.astype(np.float32), (3, 3)), cv2.max(share, 1.0), scale=255.0)
+        relief = np.float32(self._limits.offset_m) - np.float32(1e-3) * (self._slope * z_mm + 2.0 * moat)
+        outside = cv2.bitwise_or(cv2.compare(labels, 0, cv2.CMP_EQ), cv2.compare(share, 8.0, cv2.CMP_LE))
+        relief[outside != 0] = 0.0
         return np.asarray(relief, dtype=np.float32)
 
-    def _moats(self, depth: U16, solid: U8) -> F32:
-        """Return by how many millimetres depth jumps more than a slope would, on the coarse grid."""
-        nearest = cv2.erode(cv2.bitwise_or(depth, cv2.compare(solid, 0, cv2.CMP_EQ).astype(np.uint16) * 257), CROSS)
-        jump = cv2.subtract(cv2.dilate(depth, CROSS), nearest)
-        excess = cv2.subtract(jump, int(self._allowed_mm))
-        return cv2.resize(cv2.bitwise_and(excess,excess,mask=solid), self._size, interpolation=cv2.INTER_AREA).astype(np.float32)
+    def _moats(self, depth: U16, solid: U8) -> U16:
+        """Return by how many millimetres depth jumps to the right or down, beyond what a slope would, (h, w)."""
+        moat = np.zeros_like(depth)
+        for here, there in (((slice(None), slice(1, None)), (slice(None), slice(-1))), ((slice(1, None),), (slice(-1),))):
+            jump = cv2.subtract(cv2.absdiff(depth[here], depth[there]), int(self._allowed_mm))
+            both = cv2.bitwise_and(solid[here], solid[there])
+            jump = cv2.copyTo(jump, both)
+            np.maximum(moat[here], jump, out=moat[here])
+            np.maximum(moat[there], jump, out=moat[there])
+        return moat
 
     def _clusters(self, relief: F32, wide_px: F32, tops: Tops) -> Ints:
         """Return for every top the number of the fruit it belongs to.
