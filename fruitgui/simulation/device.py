@@ -35,6 +35,7 @@ class Device:
         clock_offset_s: to be added to its stamps to get true time.
         silent_s: (from, to) spans of true time in which it gives nothing.
         drop_share: share of its frames that are lost at random.
+        color_delay_s: colour is exposed so much later than depth.
         serial: of the device.
     """
 
@@ -48,6 +49,7 @@ class Device:
     clock_offset_s: float = 0.0
     silent_s: tuple[tuple[float, float], ...] = ()
     drop_share: float = 0.0
+    color_delay_s: float = 0.0
     serial: str = ""
 
 

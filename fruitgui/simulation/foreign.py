@@ -86,8 +86,18 @@ def cup(rng: Generator) -> Mesh:
     return Mesh(vertices, triangles, _plain(rng.uniform(0.6, 0.95, 3), len(vertices), rng, 0.01))
 
 
+def potato(rng: Generator) -> Mesh:
+    """Return a potato: fruit-like, and no fruit."""
+    directions, triangles = sphere(4)
+    knobby = 1 + waves(directions, rng, 0.05, 1.5, 4.0)
+    half = rng.uniform(0.026, 0.036) * np.array([rng.uniform(1.2, 1.7), 1.0, rng.uniform(0.8, 0.95)])
+    skin = rng.uniform(0.85, 1.1) * np.array([0.68, 0.54, 0.36])
+    return Mesh(directions * knobby[:, None] * half, triangles, _plain(skin, len(knobby), rng, 0.07))
+
+
 FOREIGN: Mapping[str, Callable[[Generator], Mesh]] = {
     "hand": hand,
+    "potato": potato,
     "leaf": leaf,
     "box": box,
     "stone": stone,

@@ -25,6 +25,9 @@ KINDS = ("lemon", "red_apple", "green_apple", "chilean_avocado", "peruvian_avoca
 MORE_KINDS = ("orange", "pear")
 """Kinds beyond the source's."""
 
+STEM = linear(np.array([0.30, 0.22, 0.12]))
+"""Reflectance of the stem's end."""
+
 
 @dataclass(frozen=True, slots=True)
 class Skin:
@@ -36,6 +39,7 @@ class Skin:
         share_spread: standard deviation of the share.
         spots: relative contrast of fine spots (lenticels, pebbles).
         piece_spread: relative spread of brightness and hue between pieces.
+        gloss: greatest brightness of the lamp's mirror image.
     """
 
     base: tuple[float, float, float]
@@ -44,6 +48,7 @@ class Skin:
     share_spread: float
     spots: float
     piece_spread: float
+    gloss: float = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +61,7 @@ class Recipe:
         bumps: relative amplitude of low-order bumps.
         profile: (cosine from the stem (V,), generator) → (factor of the radius, factor of the width), each (V,).
         skin: colours.
+        bend: how far the stem's end may lean over, relative to the radius.
     """
 
     radius_m: tuple[float, float]
@@ -63,6 +69,7 @@ class Recipe:
     bumps: float
     profile: Callable[[F64, Generator], tuple[F64, F64]]
     skin: Skin
+    bend: float = 0.0
 
 
 def _round(cosine: F64, _rng: Generator) -> tuple[F64, F64]:
@@ -102,19 +109,19 @@ def _pear(cosine: F64, rng: Generator) -> tuple[F64, F64]:
 
 RECIPES: Mapping[str, Recipe] = {
     "lemon": Recipe((0.025, 0.034), (1.15, 1.50), 0.014, _lemon,
-                    Skin((0.93, 0.80, 0.16), (0.78, 0.78, 0.22), 0.12, 0.12, 0.05, 0.05)),
+                    Skin((0.93, 0.80, 0.16), (0.78, 0.78, 0.22), 0.12, 0.12, 0.05, 0.05, 0.20)),
     "red_apple": Recipe((0.033, 0.043), (0.84, 1.00), 0.016, _apple,
-                        Skin((0.66, 0.08, 0.11), (0.86, 0.66, 0.26), 0.16, 0.12, 0.07, 0.09)),
+                        Skin((0.66, 0.08, 0.11), (0.86, 0.66, 0.26), 0.16, 0.12, 0.07, 0.09, 0.40)),
     "green_apple": Recipe((0.032, 0.042), (0.84, 1.00), 0.016, _apple,
-                          Skin((0.58, 0.74, 0.22), (0.72, 0.80, 0.38), 0.25, 0.15, 0.06, 0.07)),
+                          Skin((0.58, 0.74, 0.22), (0.72, 0.80, 0.38), 0.25, 0.15, 0.06, 0.07, 0.40)),
     "chilean_avocado": Recipe((0.029, 0.037), (1.25, 1.60), 0.016, _hass,
-                              Skin((0.20, 0.16, 0.14), (0.24, 0.27, 0.13), 0.35, 0.22, 0.16, 0.14)),
+                              Skin((0.20, 0.16, 0.14), (0.24, 0.27, 0.13), 0.35, 0.22, 0.16, 0.14, 0.06), 0.04),
     "peruvian_avocado": Recipe((0.032, 0.039), (1.40, 1.80), 0.018, _green_avocado,
-                               Skin((0.31, 0.43, 0.15), (0.22, 0.30, 0.12), 0.25, 0.15, 0.09, 0.10)),
+                               Skin((0.31, 0.43, 0.15), (0.22, 0.30, 0.12), 0.25, 0.15, 0.09, 0.10, 0.18), 0.06),
     "orange": Recipe((0.033, 0.042), (0.92, 1.04), 0.010, _round,
-                     Skin((0.95, 0.52, 0.08), (0.93, 0.62, 0.14), 0.25, 0.15, 0.06, 0.05)),
+                     Skin((0.95, 0.52, 0.08), (0.93, 0.62, 0.14), 0.25, 0.15, 0.06, 0.05, 0.20)),
     "pear": Recipe((0.029, 0.037), (1.30, 1.65), 0.018, _pear,
-                   Skin((0.74, 0.75, 0.28), (0.66, 0.50, 0.24), 0.16, 0.12, 0.08, 0.08)),
+                   Skin((0.74, 0.75, 0.28), (0.66, 0.50, 0.24), 0.16, 0.12, 0.08, 0.08, 0.12), 0.06),
 }  # fmt: skip
 
 
@@ -129,7 +136,10 @@ def grow(kind: str, rng: Generator) -> Mesh:
     shape = directions * (radial * (1 + waves(directions, rng, recipe.bumps, 1.0, 3.5)))[:, None]
     oval = rng.uniform(0.97, 1.0)
     shape = shape * np.stack([width, width * oval, np.full_like(width, aspect)], axis=1) * radius_m
-    return Mesh(shape, triangles, paint(directions, recipe.skin, rng)).centred()
+    shape[:, 0] += recipe.bend * rng.uniform(0, 1) * shape[:, 2] ** 2 / radius_m
+    albedo = paint(directions, recipe.skin, rng)
+    albedo[cosine > rng.uniform(0.975, 0.992)] = STEM
+    return Mesh(shape, triangles, albedo, float(recipe.skin.gloss * rng.uniform(0.2, 1))).centred()
 
 
 def ball(radius_m: float, colour: tuple[float, float, float]) -> Mesh:

@@ -47,7 +47,7 @@ class DepthModel:
     offset_m: float = 0.0
     radial_error: float = 0.0
     speckle_share: float = 0.002
-    dark_infrared: float = 0.03
+    dark_infrared: float = 0.02
     grazing_cosine: float = 0.14
     shadow: float = 1.0
     nearest_m: float = 0.5

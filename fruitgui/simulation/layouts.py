@@ -13,6 +13,9 @@ from fruitgui.geometry.rotation import rotation_from_vector
 LAYOUTS = ("single", "opposed", "chain", "ring", "disconnected")
 """Names that `placements` knows."""
 
+USUAL_HEIGHT_M = (0.75, 1.25)
+"""Heights of sensors above the belt on a line like the source's: about 1 m from the fruit."""
+
 VIEW_SHARE = 1.1
 """Width of a Kinect's depth picture over its distance (640 / 580)."""
 
@@ -29,62 +32,70 @@ def look_at(position_m: F64, target_m: F64, roll_rad: float = 0.0) -> Pose:
     return Pose(level @ rotation_from_vector(np.array([0.0, 0.0, roll_rad])), np.asarray(position_m, dtype=np.float64))
 
 
-def placements(layout: str, count: int, rng: Generator) -> tuple[Pose, ...]:
+def placements(
+    layout: str, count: int, rng: Generator, height_m: tuple[float, float] = USUAL_HEIGHT_M
+) -> tuple[Pose, ...]:
     """Return the sensors' poses into the world for a layout.
 
     Args:
         layout: one of `LAYOUTS`; opposed is two, chain three or more, ring four or more.
         count: how many sensors, 0 for the layout's own number.
         rng: the source of chance.
+        height_m: range of the sensors' heights above the belt.
 
     Raises:
         InputError: no such layout.
     """
     if layout == "single":
-        return (_beside(rng, rng.uniform(0, 2 * np.pi), (0.0, 0.45), np.zeros(2)),)
+        return (_beside(rng, rng.uniform(0, 2 * np.pi), (0.0, 0.45), np.zeros(2), height_m),)
     if layout == "opposed":
-        return _opposed(rng, np.zeros(2))
+        return _opposed(rng, np.zeros(2), height_m)
     if layout == "chain":
-        return _chain(rng, count or 3)
+        return _chain(rng, count or 3, height_m)
     if layout == "ring":
-        return _ring(rng, count or 4)
+        return _ring(rng, count or 4, height_m)
     if layout == "disconnected":
-        return (*_opposed(rng, np.zeros(2)), *_opposed(rng, np.array([rng.uniform(3.0, 4.0), 0.0])))[: count or 3]
+        return (
+            *_opposed(rng, np.zeros(2), height_m),
+            *_opposed(rng, np.array([rng.uniform(3.0, 4.0), 0.0]), height_m),
+        )[: count or 3]
     raise InputError("bad_layout", f"There is no layout '{layout}'.", f"Use one of {', '.join(LAYOUTS)}.")
 
 
-def _opposed(rng: Generator, middle: F64) -> tuple[Pose, ...]:
+def _opposed(rng: Generator, middle: F64, height_m: tuple[float, float]) -> tuple[Pose, ...]:
     """Two sensors on opposite sides of the belt."""
     side = rng.choice([-1.0, 1.0])
     return tuple(
-        _beside(rng, heading + rng.normal(0, 0.15), (0.35, 0.65), middle)
+        _beside(rng, heading + rng.normal(0, 0.15), (0.35, 0.65), middle, height_m)
         for heading in (side * np.pi / 2, -side * np.pi / 2)
     )
 
 
-def _chain(rng: Generator, count: int) -> tuple[Pose, ...]:
+def _chain(rng: Generator, count: int, height_m: tuple[float, float]) -> tuple[Pose, ...]:
     """Sensors along the belt; each overlaps with its neighbours, the ends do not see the same place."""
-    height_m = rng.uniform(0.9, 1.4)
-    spacing_m = rng.uniform(0.50, 0.60) * VIEW_SHARE * height_m
+    high_m = rng.uniform(*height_m)
+    spacing_m = rng.uniform(0.50, 0.60) * VIEW_SHARE * high_m
     poses = []
     for number in range(count):
         middle = np.array([(number - (count - 1) / 2) * spacing_m, 0.0])
         heading = rng.choice([-1.0, 1.0]) * np.pi / 2 + rng.normal(0, 0.15)
-        poses.append(_beside(rng, heading, (0.1, 0.5), middle, (0.95 * height_m, 1.05 * height_m), 0.08))
+        poses.append(_beside(rng, heading, (0.1, 0.5), middle, (0.95 * high_m, 1.05 * high_m), 0.08))
     order = [count // 2, *(number for number in range(count) if number != count // 2)]
     return tuple(poses[number] for number in (order if rng.random() < 0.5 else range(count)))
 
 
-def _ring(rng: Generator, count: int) -> tuple[Pose, ...]:
+def _ring(rng: Generator, count: int, height_m: tuple[float, float]) -> tuple[Pose, ...]:
     """Sensors around the middle."""
     first = rng.uniform(0, 2 * np.pi)
     headings = first + 2 * np.pi * np.arange(count) / count
-    return tuple(_beside(rng, heading + rng.normal(0, 0.12), (0.35, 0.7), np.zeros(2)) for heading in headings)
+    return tuple(
+        _beside(rng, heading + rng.normal(0, 0.12), (0.35, 0.7), np.zeros(2), height_m) for heading in headings
+    )
 
 
 def _beside(
     rng: Generator, heading_rad: float, away_m: tuple[float, float], middle: F64,
-    height_m: tuple[float, float] = (0.75, 1.4), roll_std_rad: float = 0.12,
+    height_m: tuple[float, float], roll_std_rad: float = 0.12,
 ) -> Pose:  # fmt: skip
     """A sensor that stands `away_m` from a place on the belt, in direction `heading_rad`, and looks at it."""
     away, height = rng.uniform(*away_m), rng.uniform(*height_m)

@@ -9,6 +9,9 @@ from numpy.random import Generator
 
 from fruitgui.frame import F32, F64, U8
 
+MIRROR_SHARPNESS = 40.0
+"""Exponent of the mirror image: about 10° wide, waxed skin under a large lamp."""
+
 TONE = 2.0
 """Exponent of the camera's tone curve: values go with the square root of light, close to sRGB's curve."""
 
@@ -42,6 +45,12 @@ class Light:
     def over(self, place_m: F32) -> F32:
         """Return the relative light at world places (…, 2)."""
         return np.clip(1 + place_m @ np.array(self.slope, dtype=np.float32), 0.5, 1.5).astype(np.float32)
+
+    def mirrored(self, normal: F32, toward: F64) -> F32:
+        """Return the lamp's mirror image on unit normals (N, 3) seen from direction `toward` (Blinn 1977)."""
+        half = np.array(self.direction) + toward
+        half /= np.linalg.norm(half)
+        return np.asarray(np.maximum(normal @ half.astype(np.float32), 0) ** MIRROR_SHARPNESS, dtype=np.float32)
 
 
 def make_light(rng: Generator, lux: float | None = None) -> Light:
@@ -77,6 +86,8 @@ class ColorModel:
         vignetting: loss of light in the corner.
         blur_px: of the lens and the colour filter.
         balance: (r, g, b) gains of this camera's white balance.
+        crosstalk: share of each colour that comes from the mean of all (filters overlap).
+        exposure_s: longest exposure; moving things are blurred along their way.
         noise: factor of all noise; 0 is none.
     """
 
@@ -88,7 +99,13 @@ class ColorModel:
     vignetting: float = 0.15
     blur_px: float = 0.6
     balance: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    crosstalk: float = 0.08
+    exposure_s: float = 0.02
     noise: float = 1.0
+
+    def exposure_at_s(self, lux: float) -> float:
+        """Return the exposure under a light: shorter where the pixels would be full."""
+        return self.exposure_s * min(self.full_well / (self.electrons_per_lux * lux), 1.0)
 
 
 def expose(radiance: F32, model: ColorModel, lux: float, grain: F32) -> U8:
@@ -117,9 +134,10 @@ def vignette(radius2: F32, model: ColorModel) -> F32:
     return np.asarray(1 - np.float32(model.vignetting) * radius2, dtype=np.float32)
 
 
-def gains(light: Light, model: ColorModel) -> F64:
-    """Return the colour gains (3,) of light and camera together."""
-    return np.asarray(np.array(light.tint) * np.array(model.balance))
+def mixing(light: Light, model: ColorModel) -> F32:
+    """Return the matrix (3, 3) from reflectance (row vectors, on the left) to the camera's colours."""
+    overlap = (1 - model.crosstalk) * np.eye(3) + model.crosstalk / 3
+    return np.asarray(np.array(light.tint)[:, None] * overlap * np.array(model.balance), dtype=np.float32)
 
 
 def linear(srgb: F64) -> F32:

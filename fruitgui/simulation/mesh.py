@@ -17,11 +17,13 @@ class Mesh:
         vertices_m: (V, 3), in the body's own frame.
         triangles: (T, 3) indices of vertices.
         albedo: (V, 3) linear RGB reflectance, 0–1.
+        gloss: brightness of the lamp's mirror image on it, 0 for matt.
     """
 
     vertices_m: F64
     triangles: Ints
     albedo: F32
+    gloss: float = 0.0
 
     def volume_m3(self) -> float:
         """Return the enclosed volume (divergence theorem; exact for the mesh)."""
@@ -36,15 +38,17 @@ class Mesh:
 
     def centred(self) -> Mesh:
         """Return the same body with its centre of volume at the origin."""
-        return Mesh(self.vertices_m - self.centre_m(), self.triangles, self.albedo)
+        return Mesh(self.vertices_m - self.centre_m(), self.triangles, self.albedo, self.gloss)
 
     def scaled_to(self, volume_m3: float) -> Mesh:
         """Return the same shape with the given volume."""
-        return Mesh(self.vertices_m * (volume_m3 / self.volume_m3()) ** (1 / 3), self.triangles, self.albedo)
+        return Mesh(
+            self.vertices_m * (volume_m3 / self.volume_m3()) ** (1 / 3), self.triangles, self.albedo, self.gloss
+        )
 
     def turned(self, rotation: F64) -> Mesh:
         """Return the body turned about its origin by a 3×3 rotation."""
-        return Mesh(self.vertices_m @ rotation.T, self.triangles, self.albedo)
+        return Mesh(self.vertices_m @ rotation.T, self.triangles, self.albedo, self.gloss)
 
     def vertex_normals(self) -> F32:
         """Return unit outward normals at the vertices, (V, 3), triangles weighted by their area."""

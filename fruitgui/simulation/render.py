@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.random import Generator
 
-from fruitgui.frame import F32, U8, U16, Intrinsics, Ints
+from fruitgui.frame import F32, F64, U8, U16, Intrinsics, Ints
 from fruitgui.geometry.pose import Pose
 from fruitgui.simulation.body import Body
 from fruitgui.simulation.device import Device
 from fruitgui.simulation.kinect import NoiseBank, Scan, measure_depth, to_millimetres
-from fruitgui.simulation.light import Light, expose, gains, vignette
+from fruitgui.simulation.light import Light, expose, mixing, vignette
 from fruitgui.simulation.rays import Caster, Hits
 from fruitgui.simulation.registration import Registration
 from fruitgui.simulation.surroundings import Backdrop, Surroundings, WearMap, look
@@ -113,7 +113,7 @@ class Eye:
         self._signal = self._behind_depth.infrared * self._behind_depth.facing
         self._radius2 = _radius2(depth)
         self._vignette = vignette(_radius2(color), device.color_model)
-        self._gains = gains(light, device.color_model).astype(np.float32)
+        self._mixing = mixing(light, device.color_model)
         self._lit = self._lit_backdrop(self._behind_color)
         self._wear = WearMap(surroundings.belt, self._behind_color)
         self._register = Registration(depth, color, device.depth_to_color)
@@ -122,7 +122,7 @@ class Eye:
 
     def _lit_backdrop(self, behind: Backdrop) -> F32:
         light = self._light.on(behind.normal) * self._light.over(behind.place_m) * self._vignette
-        return np.asarray(behind.albedo * light[..., None] * self._gains, dtype=np.float32)
+        return np.asarray(behind.albedo @ self._mixing * light[..., None], dtype=np.float32)
 
     def depth(self, bodies: Sequence[Placed], rng: Generator) -> U16:
         """Return the registered depth, millimetres, as the sensor would give it."""
@@ -141,17 +141,31 @@ class Eye:
             signal.reshape(-1)[pixel] = np.float32(SKIN_INFRARED) * cosine
         return Scan(z, signal, facing)
 
-    def color(self, bodies: Sequence[Placed], travel_m: float, rng: Generator) -> U8:
-        """Return the colour picture."""
+    def color(self, bodies: Sequence[Placed], travel_m: float, speed_m_s: float, rng: Generator) -> U8:
+        """Return the colour picture of a belt that has moved `travel_m` and moves at `speed_m_s`."""
         import cv2
 
         radiance = self.radiance(bodies, travel_m)
         model = self.device.color_model
         if model.blur_px:
             radiance = cv2.GaussianBlur(radiance, (3, 3), model.blur_px)
+        smear = self._smear(speed_m_s * model.exposure_at_s(self._light.lux))
+        if smear is not None:
+            radiance = cv2.filter2D(radiance, -1, smear, borderType=cv2.BORDER_REPLICATE)
         row, column = int(rng.integers(212)), int(rng.integers(308))
         height, width = radiance.shape[:2]
         return expose(radiance, model, self._light.lux, self._grain[row : row + height, column : column + width])
+
+    def _smear(self, moved_m: float) -> F32 | None:
+        """Return the kernel of motion blur for a belt that moves so far while exposing; None where it shows nothing.
+
+        Taken amid the picture for all of it: what does not move are rails, which lie along the motion.
+        """
+        place, axis = self.device.pose.translation_m, self.device.pose.rotation[:, 2]
+        middle = place - axis * place[2] / axis[2]
+        ends = np.stack([middle, middle + np.array([moved_m, 0.0, 0.0])])
+        first, last = self.device.color_camera.project(self.device.pose.inverse().apply(ends))
+        return motion_kernel(last - first)
 
     def radiance(self, bodies: Sequence[Placed], travel_m: float) -> F32:
         """Return the light that comes from every pixel, (H, W, 3)."""
@@ -179,20 +193,40 @@ class Eye:
 
     def _shine(self, placed: Placed, glimpse: Glimpse, which: Ints) -> F32:
         normal, albedo = placed.caster.skin(glimpse.hits, which)
-        light = self._light.on(normal @ placed.pose.rotation.T.astype(np.float32))
-        light *= self._light.over(placed.pose.translation_m[:2].astype(np.float32))
-        return np.asarray(albedo * self._gains * light[:, None])
+        normal = normal @ placed.pose.rotation.T.astype(np.float32)
+        shine = albedo * self._light.on(normal)[:, None]
+        if placed.body.mesh.gloss:
+            toward = self.device.pose.translation_m - placed.pose.translation_m
+            mirrored = self._light.mirrored(normal, toward / np.linalg.norm(toward))
+            shine += (placed.body.mesh.gloss * mirrored)[:, None]
+        shine *= self._light.over(placed.pose.translation_m[:2].astype(np.float32))
+        return np.asarray(shine @ self._mixing)
 
     def _darken_belt(self, worn: F32, placed: Placed, glimpse: Glimpse) -> None:
         """Darken the belt around a body (it hides a part of the sky)."""
         left, top, right, bottom = glimpse.box
-        margin = (right - left + bottom - top) // 10
+        margin = (right - left + bottom - top) // 5
         part = np.s_[max(top - margin, 0) : bottom + margin, max(left - margin, 0) : right + margin]
         away = self._behind_color.place_m[part] - placed.pose.translation_m[:2].astype(np.float32)
         away *= np.float32(1 / placed.caster.reach_m)
-        near = np.exp(-(away[..., 0] ** 2) - away[..., 1] ** 2)
+        near = np.maximum(np.exp(-(away[..., 0] ** 2) - away[..., 1] ** 2) - np.float32(0.1), 0)
         near *= self._behind_color.on_belt[part]
         worn[part] *= 1 - np.float32(self._light.contact) * near
+
+
+def motion_kernel(way_px: F64) -> F32 | None:
+    """Return the kernel that spreads light evenly along a way (u, v), pixels; None for less than half a pixel."""
+    length = float(np.linalg.norm(way_px))
+    if length < 0.5:
+        return None
+    half = int(np.ceil(length / 2)) + 1
+    kernel = np.zeros((2 * half + 1, 2 * half + 1), dtype=np.float32)
+    for share in np.linspace(-0.5, 0.5, 4 * half + 1):
+        u, v = half + way_px * share
+        column, row = int(u), int(v)
+        right, down = u - column, v - row
+        kernel[row : row + 2, column : column + 2] += np.outer((1 - down, down), (1 - right, right))
+    return np.asarray(kernel / kernel.sum())
 
 
 def _grain(height: int, width: int, blur_px: float, rng: Generator) -> F32:

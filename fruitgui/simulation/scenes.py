@@ -17,15 +17,25 @@ from fruitgui.simulation.body import Body, at_rest
 from fruitgui.simulation.device import Device
 from fruitgui.simulation.foreign import box_of
 from fruitgui.simulation.fruit import KINDS, ball
+from fruitgui.simulation.layouts import USUAL_HEIGHT_M
 from fruitgui.simulation.light import make_light
 from fruitgui.simulation.motion import SpeedProfile, constant
 from fruitgui.simulation.packing import clusters, scatter, stream
 from fruitgui.simulation.setting import USUAL, Conditions, Setting, make_setting
 from fruitgui.simulation.simulation import Capture, Scene, Simulation, sight_along_belt
-from fruitgui.simulation.stock import begun, made_restless, mixed, numbered, shoved
+from fruitgui.simulation.stock import STRANGE, begun, made_restless, mixed, numbered, shoved
 from fruitgui.simulation.surroundings import Surroundings, make_belt
 
-__all__ = ["USUAL", "Conditions", "bare_belt", "box_scene", "line_scene", "sphere_scene", "still_scene"]
+__all__ = [
+    "USUAL",
+    "Conditions",
+    "bare_belt",
+    "box_scene",
+    "line_scene",
+    "placement_scene",
+    "sphere_scene",
+    "still_scene",
+]
 
 
 def still_scene(
@@ -41,6 +51,8 @@ def still_scene(
     touching: float = 0.0,
     foreign: int = 0,
     moved_m: float = 0.0,
+    height_m: tuple[float, float] = USUAL_HEIGHT_M,
+    foreign_kinds: Sequence[str] = STRANGE,
     conditions: Conditions = USUAL,
 ) -> Simulation:
     """Return a scene at rest.
@@ -57,15 +69,29 @@ def still_scene(
         touching: share of fruit that touch another.
         foreign: how many foreign objects lie among them.
         moved_m: someone shoves two thirds of the things by about this much between the sensors' captures.
+        height_m: range of the sensors' heights above the belt.
+        foreign_kinds: foreign objects are drawn from these; may name fruit that nobody trains.
         conditions: light and sensors.
     """
     rng = np.random.default_rng([seed, 0])
-    setting = make_setting(seed if rig_seed is None else rig_seed, layout, sensors, with_rails, conditions)
-    groups = clusters(mixed(rng, fruit, kinds, foreign), touching, rng)
+    setting = make_setting(seed if rig_seed is None else rig_seed, layout, sensors, with_rails, conditions, height_m)
+    groups = clusters(mixed(rng, fruit, kinds, foreign, foreign_kinds), touching, rng)
     bodies = numbered(scatter(groups, *_looked_at(setting), rng))
     if moved_m:
         bodies = shoved(bodies, moved_m, captures * len(setting.devices) * 0.05, rng)
     return _still(seed, rng, setting, bodies, captures, conditions)
+
+
+def placement_scene(seed: int, *, captures: int = 5, conditions: Conditions = USUAL) -> Simulation:
+    """Return a scene for calibrating, of a kind drawn by the seed.
+
+    An opposed pair, a chain of three or a ring of four, 0.7–1.6 m high, rails
+    beside the belt, 9–26 pieces of fruit.
+    """
+    rng = np.random.default_rng([seed, 5])
+    layout = ("opposed", "chain", "ring")[seed % 3]
+    fruit = int(rng.integers(9, 27))
+    return still_scene(seed, layout, fruit, captures=captures, height_m=(0.7, 1.6), conditions=conditions)
 
 
 def bare_belt(
@@ -138,6 +164,8 @@ def line_scene(
     captures_hz: float = 10.0,
     restless: float = 0.35,
     with_rails: bool = True,
+    height_m: tuple[float, float] = USUAL_HEIGHT_M,
+    foreign_kinds: Sequence[str] = STRANGE,
     silent: Sequence[tuple[int, float, float]] = (),
     conditions: Conditions = USUAL,
 ) -> Simulation:
@@ -158,16 +186,19 @@ def line_scene(
         captures_hz: of all sensors together; they take turns.
         restless: share of pieces that rock, roll a little or slide.
         with_rails: rails beside the belt.
+        height_m: range of the sensors' heights above the belt.
+        foreign_kinds: foreign objects are drawn from these; may name fruit that nobody trains.
         silent: (number of the sensor from 0, from, to): spans in which a sensor gives nothing, seconds.
         conditions: light and sensors.
     """
     rng = np.random.default_rng([seed, 0])
     profile = speed or constant(speed_m_s)
-    setting = make_setting(seed if rig_seed is None else rig_seed, layout, sensors, with_rails, conditions)
+    setting = make_setting(seed if rig_seed is None else rig_seed, layout, sensors, with_rails, conditions, height_m)
     setting = replace(setting, devices=_silenced(setting.devices, silent))
     half_m = setting.surroundings.belt.width_m / 2
     bodies = [
-        made_restless(body, rng) if rng.random() < restless else body for body in mixed(rng, fruit, kinds, foreign)
+        made_restless(body, rng) if rng.random() < restless else body
+        for body in mixed(rng, fruit, kinds, foreign, foreign_kinds)
     ]
     laid = stream(clusters(bodies, touching, rng, half_m - 0.01), half_m, per_metre, rng)
     low_m, high_m = _in_sight(setting)

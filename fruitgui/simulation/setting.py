@@ -12,7 +12,7 @@ from fruitgui.frame import Intrinsics
 from fruitgui.geometry.pose import Pose
 from fruitgui.simulation.device import KINECT_COLOR, Device, depth_camera_of
 from fruitgui.simulation.kinect import DepthModel
-from fruitgui.simulation.layouts import placements
+from fruitgui.simulation.layouts import USUAL_HEIGHT_M, placements
 from fruitgui.simulation.light import ColorModel
 from fruitgui.simulation.surroundings import Surroundings, make_belt, rails
 
@@ -30,6 +30,7 @@ class Conditions:
         camera: the colour camera; its resolution is the frames'.
         clock_offset_s: clock offsets of all but the reference are drawn evenly from ± this.
         drop_share: share of frames lost.
+        color_delay_s: delays of colour after depth are drawn evenly from ± this.
     """
 
     lux: float | None = None
@@ -40,6 +41,7 @@ class Conditions:
     camera: Intrinsics = KINECT_COLOR
     clock_offset_s: float = 0.0
     drop_share: float = 0.0
+    color_delay_s: float = 0.0
 
 
 USUAL = Conditions()
@@ -54,10 +56,17 @@ class Setting:
     surroundings: Surroundings
 
 
-def make_setting(rig_seed: int, layout: str, sensors: int, with_rails: bool, conditions: Conditions) -> Setting:
+def make_setting(
+    rig_seed: int,
+    layout: str,
+    sensors: int,
+    with_rails: bool,
+    conditions: Conditions,
+    height_m: tuple[float, float] = USUAL_HEIGHT_M,
+) -> Setting:
     """Return the rig and place that a rig seed stands for; see `layouts.placements` for layout and sensors."""
     rng = np.random.default_rng([rig_seed, 10])
-    poses = placements(layout, sensors, rng)
+    poses = placements(layout, sensors, rng, height_m)
     surroundings = make_surroundings(rng, with_rails)
     return Setting(make_devices(poses, conditions, rng), surroundings)
 
@@ -86,6 +95,7 @@ def _device(number: int, pose: Pose, conditions: Conditions, rng: Generator) -> 
         color_model=_color_model(rng),
         clock_offset_s=offset_s if number else 0.0,
         drop_share=conditions.drop_share,
+        color_delay_s=float(rng.uniform(-1, 1) * conditions.color_delay_s),
         serial=f"SIM{rng.integers(10**8):08d}",
     )
 
@@ -104,5 +114,8 @@ def _depth_model(conditions: Conditions, rng: Generator) -> DepthModel:
 def _color_model(rng: Generator) -> ColorModel:
     red, green, blue = (1 + rng.normal(0, 0.02, 3)).tolist()
     return ColorModel(
-        compliance=float(rng.uniform(0.05, 0.25)), vignetting=float(rng.uniform(0.05, 0.25)), balance=(red, green, blue)
+        compliance=float(rng.uniform(0.05, 0.25)),
+        vignetting=float(rng.uniform(0.05, 0.25)),
+        balance=(red, green, blue),
+        crosstalk=float(rng.uniform(0.02, 0.15)),
     )

@@ -187,7 +187,11 @@ class Simulation:
         rng = np.random.default_rng([self.scene.seed, 2, number])
         bodies = self.in_sight(capture)
         depth_mm = eye.depth(bodies, rng)
-        color = eye.color(bodies, self.scene.speed.travel_m(capture.time_s), rng)
+        color_s = capture.time_s + eye.device.color_delay_s
+        if eye.device.color_delay_s:
+            bodies = self.in_sight(Capture(color_s, capture.sensor))
+        speed = self.scene.speed
+        color = eye.color(bodies, speed.travel_m(color_s), speed.speed_m_s(color_s), rng)
         stamp_s = capture.time_s - eye.device.clock_offset_s
         return Frame(capture.sensor, self._numbers[number], stamp_s, color, depth_mm, eye.device.color_camera)
 

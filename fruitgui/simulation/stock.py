@@ -13,14 +13,19 @@ from fruitgui.simulation.foreign import FOREIGN, make_foreign
 from fruitgui.simulation.fruit import grow
 from fruitgui.simulation.motion import SpeedProfile, Wobble
 
+STRANGE = tuple(sorted(FOREIGN))
+"""Foreign objects that come unless others are named."""
 
-def mixed(rng: Generator, fruit: int, kinds: Sequence[str], foreign: int) -> list[Body]:
+
+def mixed(
+    rng: Generator, fruit: int, kinds: Sequence[str], foreign: int, foreign_kinds: Sequence[str] = STRANGE
+) -> list[Body]:
     """Return fruit of all kinds in turn, shuffled, and foreign objects among them, at rest at the origin."""
     names = [kinds[number % len(kinds)] for number in range(fruit)]
-    strange = sorted(FOREIGN)
-    start = int(rng.integers(len(strange)))
-    names += [strange[(start + number) % len(strange)] for number in range(foreign)]
-    return numbered([make_body(names[number], rng) for number in rng.permutation(len(names))])
+    start = int(rng.integers(len(foreign_kinds)))
+    names += [foreign_kinds[(start + number) % len(foreign_kinds)] for number in range(foreign)]
+    order = rng.permutation(len(names)).tolist()
+    return numbered([replace(make_body(names[number], rng), foreign=number >= fruit) for number in order])
 
 
 def make_body(kind: str, rng: Generator) -> Body:

@@ -208,7 +208,7 @@ class WearMap:
         self._tiled = np.hstack([belt.wear, belt.wear, belt.wear[:, :2]]) - np.float32(1)
         self._u = (behind.place_m[..., 0] / np.float32(belt.cell_m)) % np.float32(self._columns)
         v = (behind.place_m[..., 1] + np.float32(belt.width_m / 2)) / np.float32(belt.cell_m)
-        self._v = np.clip(v, 0, rows - 1).astype(np.float32)
+        self._v = (rows - 1 - np.abs(v % (2 * (rows - 1)) - (rows - 1))).astype(np.float32)
 
     def at(self, travel_m: float) -> F32:
         """Return the relative reflectance (H, W) after the belt moved `travel_m`; 1 beside the belt."""
