@@ -1,0 +1,66 @@
+"""From finished trails to fruit: settle who is who, decide what counts, smooth the path."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from fruitgui.geometry.rig import Rig
+from fruitgui.tracking.resolve import NEIGHBOUR_M, Resolver, distance_m
+from fruitgui.tracking.settings import TrackerSettings
+from fruitgui.tracking.smooth import smoothed_path
+from fruitgui.tracking.track import Sighting, Track
+from fruitgui.tracking.trail import Trail
+
+
+class Closing:
+    """Trails that left, held until their neighbours have left too, so that all evidence is in."""
+
+    def __init__(self, rig: Rig, settings: TrackerSettings, resolver: Resolver) -> None:
+        self._rig = rig
+        self._settings = settings
+        self._resolver = resolver
+        self._held: list[tuple[Trail, bool]] = []
+
+    def close(self, trail: Trail, crossed: bool) -> None:
+        """Take a trail that is followed no longer; `crossed`: it left the field by itself."""
+        self._held.append((trail, crossed))
+
+    def release(self, live: Sequence[Trail]) -> list[Track]:
+        """Return the fruit among the held trails that have no live neighbour."""
+        ready = [held for held in self._held if all(distance_m(held[0], other) >= NEIGHBOUR_M for other in live)]
+        tracks: list[Track] = []
+        for trail, crossed in ready:
+            tracks += self._settle(trail, crossed, live)
+        return tracks
+
+    def release_all(self) -> list[Track]:
+        """Return the fruit among all held trails."""
+        return self.release(())
+
+    def _settle(self, trail: Trail, crossed: bool, live: Sequence[Trail]) -> list[Track]:
+        self._held = [held for held in self._held if held[0] is not trail]
+        others = [held[0] for held in self._held] + list(live)
+        twin = self._resolver.twin(trail, others)
+        if twin is not None:
+            if _like(trail, twin):
+                twin.absorb(trail, self._settings.kept_views)
+            return []
+        return [self._track(trail)] if self._resolver.counts(trail, crossed) else []
+
+    def _track(self, trail: Trail) -> Track:
+        entries = sorted(trail.entries, key=lambda entry: entry.time_s)
+        duration = entries[-1].time_s - entries[0].time_s
+        way = entries[-1].travelled_m - entries[0].travelled_m
+        return Track(
+            track=trail.number,
+            sightings=tuple(Sighting(entry.time_s, entry.view) for entry in entries),
+            path=smoothed_path(entries, self._rig, self._settings),
+            velocity_m_s=way / duration if duration > 0 else np.zeros(3),
+        )
+
+
+def _like(trail: Trail, twin: Trail) -> bool:
+    """Tell whether a duplicate's views show the same body: neither a piece of it nor the group it was in."""
+    return bool(0.75 < trail.size_m / max(twin.size_m, 1e-3) < 1.3)

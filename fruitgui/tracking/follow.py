@@ -1,0 +1,194 @@
+"""Following the belt through stops, starts and changes of speed."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from fruitgui.frame import F64, Bools
+from fruitgui.geometry.rig import Rig
+from fruitgui.tracking.belt import BeltMotion
+from fruitgui.tracking.measured import Measured, look_distance
+from fruitgui.tracking.voting import CommonShift, common_shift
+
+FASTEST_M_S = 1.2
+"""No belt that people load by hand runs faster."""
+
+STEADY_M_S2 = 0.15
+TURNING_M_S2 = 4.0
+"""Accelerations (one standard deviation) of a belt that runs, and of one that stops or starts."""
+
+SIDEWAYS_M_S2 = 0.01
+SAME_PLACE_STD_M = 0.009
+PLACE_FLOOR_M = 0.003
+"""Two sensors' centres of one fruit differ by some millimetres, and all of one capture's alike."""
+
+
+class BeltModel(Protocol):
+    """How the belt's displacement between two captures is known."""
+
+    def advance(self, time_s: float) -> F64:
+        """Return the predicted displacement (3,) since the last capture."""
+
+    def correct(self, position_m: F64, variance_m2: F64, looks: F64, fit: Bools, seen: Measured) -> F64:
+        """Return what the prediction was wrong by, (3,), judged by tracks (n) and the views."""
+
+    def motion(self) -> BeltMotion:
+        """Return the velocity now."""
+
+    def travelled_m(self) -> F64:
+        """Return the displacement (3,) since the beginning."""
+
+
+class ConstantBelt:
+    """A belt that runs as it was told to (the source's assumption)."""
+
+    def __init__(self, motion: BeltMotion, time_s: float) -> None:
+        self._motion = motion
+        self._time_s = time_s
+        self._travelled: F64 = np.zeros(3)
+
+    def advance(self, time_s: float) -> F64:
+        """Return velocity times elapsed time, (3,)."""
+        step = self._motion.velocity_m_s * (time_s - self._time_s)
+        self._time_s = time_s
+        self._travelled = self._travelled + step
+        return np.asarray(step)
+
+    def correct(self, position_m: F64, variance_m2: F64, looks: F64, fit: Bools, seen: Measured) -> F64:  # noqa: ARG002 - the protocol
+        """Return nothing: the speed is what it was said to be."""
+        return np.zeros(3)
+
+    def motion(self) -> BeltMotion:
+        """Return the velocity that was given."""
+        return self._motion
+
+    def travelled_m(self) -> F64:
+        """Return the displacement (3,) since the beginning."""
+        return self._travelled
+
+
+class BeltFollower:
+    """Tracks the belt's displacement and velocity on its own plane from what all fruit do in common.
+
+    A Kalman filter over (displacement, velocity), each (2,) on the belt; what it
+    measures is the shift on which most fruit of a capture agree. A shift that a
+    steady belt could not have made loosens the velocity for that capture.
+    """
+
+    def __init__(self, rig: Rig, motion: BeltMotion, time_s: float) -> None:
+        self._frame = rig.belt_frame()
+        self._time_s = time_s
+        self._measured_s = time_s
+        self._velocity: F64 = self._frame.turn(motion.velocity_m_s)[:2]
+        turned = self._frame.rotation @ motion.covariance @ self._frame.rotation.T
+        self._covariance = np.zeros((4, 4))
+        self._covariance[2:, 2:] = turned[:2, :2] + 1e-8 * np.eye(2)
+        self._top_speed = float(np.linalg.norm(self._velocity))
+        self._heading: F64 | None = self._velocity / self._top_speed if self._top_speed > 0.02 else None
+        self._travelled: F64 = np.zeros(2)
+
+    def motion(self) -> BeltMotion:
+        """Return the velocity now, reference frame."""
+        back = self._frame.rotation.T
+        flat = np.zeros((3, 3))
+        flat[:2, :2] = self._covariance[2:, 2:]
+        return BeltMotion(back @ np.append(self._velocity, 0.0), back @ flat @ back.T)
+
+    def travelled_m(self) -> F64:
+        """Return the displacement (3,) since the beginning, reference frame."""
+        return np.asarray(self._frame.rotation.T @ np.append(self._travelled, 0.0))
+
+    def advance(self, time_s: float) -> F64:
+        """Return the predicted displacement (3,) since the last capture, reference frame."""
+        duration = time_s - self._time_s
+        self._time_s = time_s
+        step = self._velocity * duration
+        self._travelled = self._travelled + step
+        F = np.eye(4)
+        F[:2, 2:] = duration * np.eye(2)
+        self._covariance = F @ self._covariance @ F.T + self._noise(abs(duration), STEADY_M_S2)
+        return np.asarray(self._frame.rotation.T @ np.append(step, 0.0))
+
+    def _noise(self, duration_s: float, acceleration_m_s2: float) -> F64:
+        """Return the (4, 4) noise of a random acceleration held for `duration_s`, less of it sideways."""
+        across = np.eye(2) * acceleration_m_s2**2
+        if self._heading is not None:
+            along = np.outer(self._heading, self._heading)
+            across = along * acceleration_m_s2**2 + (np.eye(2) - along) * SIDEWAYS_M_S2**2
+        b = np.array([[0.5 * duration_s**2], [duration_s]])
+        return np.asarray(np.kron(b @ b.T, across))
+
+    def correct(self, position_m: F64, variance_m2: F64, looks: F64, fit: Bools, seen: Measured) -> F64:
+        """Return what the displacement was mispredicted by, (3,).
+
+        Judged by the views and by those of n tracks that are fit for it: positions (n, 3), their variances per
+        axis (n,), looks (n, 5).
+        """
+        usable = np.flatnonzero(~seen.cut) if (~seen.cut).any() else np.arange(len(seen))
+        tracks = np.flatnonzero(fit)
+        if not len(usable) or not len(tracks):
+            return np.zeros(3)
+        here = self._frame.apply(seen.position_m[usable])[:, :2]
+        there = self._frame.apply(position_m[tracks])[:, :2]
+        residual = here[None] - there[:, None]
+        likeness = np.exp(-0.5 * np.minimum(look_distance(looks[tracks], seen.looks[usable]), 12.0))
+        std = np.sqrt(variance_m2[tracks][:, None] + _variance(seen)[usable][None] + PLACE_FLOOR_M**2)
+        found = common_shift(residual, std, likeness, self._admissible(residual), self._bonus(residual))
+        if found is None:
+            return np.zeros(3)
+        before = self._travelled.copy()
+        self._take(found)
+        return np.asarray(self._frame.rotation.T @ np.append(self._travelled - before, 0.0))
+
+    def _admissible(self, residual_m: F64) -> Bools:
+        """Tell which residuals (n, m, 2) a belt could have made since it was last measured."""
+        duration = max(self._time_s - self._measured_s, 0.0)
+        slack = 3.0 * SAME_PLACE_STD_M
+        if self._heading is None:
+            return np.asarray(np.linalg.norm(residual_m, axis=2) < FASTEST_M_S * duration + slack)
+        along = residual_m @ self._heading
+        across = np.linalg.norm(residual_m - along[..., None] * self._heading, axis=2)
+        speed = float(self._velocity @ self._heading)
+        fastest = min(FASTEST_M_S, 1.3 * max(self._top_speed, speed) + 0.1)
+        low, high = -max(speed, 0.0) * duration - slack, max(fastest - speed, 0.0) * duration + slack
+        return np.asarray((across < slack) & (along > low) & (along < high))
+
+    def _bonus(self, residual_m: F64) -> F64:
+        """Return prior votes for each residual: a belt mostly goes on as it did, or has just stopped."""
+        precise = np.linalg.inv(self._covariance[:2, :2] + SAME_PLACE_STD_M**2 * np.eye(2))
+        going_on = np.exp(-0.5 * np.einsum("nmi,ij,nmj->nm", residual_m, precise, residual_m))
+        return np.asarray(0.8 * going_on)
+
+    def _take(self, found: CommonShift) -> None:
+        """Update displacement and velocity by a common shift; loosen the velocity first if it must have changed."""
+        duration = max(self._time_s - self._measured_s, 1e-3)
+        self._measured_s = self._time_s
+        R = (found.std_m**2 + PLACE_FLOOR_M**2) * np.eye(2)
+        S = self._covariance[:2, :2] + R
+        if float(found.shift_m @ np.linalg.solve(S, found.shift_m)) > 12.0:
+            self._covariance = self._covariance + self._noise(duration, self._turning(found.shift_m, duration))
+            S = self._covariance[:2, :2] + R
+        K = np.linalg.solve(S, self._covariance[:2]).T
+        change = K @ found.shift_m
+        self._travelled = self._travelled + change[:2]
+        self._velocity = self._velocity + change[2:]
+        P = self._covariance - K @ S @ K.T
+        self._covariance = 0.5 * (P + P.T)
+        self._remember_heading()
+
+    def _turning(self, shift_m: F64, duration_s: float) -> float:
+        return max(TURNING_M_S2, 2.0 * float(np.linalg.norm(shift_m)) / duration_s**2)
+
+    def _remember_heading(self) -> None:
+        speed = float(np.linalg.norm(self._velocity))
+        std = float(np.sqrt(np.trace(self._covariance[2:, 2:])))
+        if speed > 0.03 and std < 0.15 * speed:
+            self._heading = self._velocity / speed
+            self._top_speed = max(self._top_speed, speed)
+
+
+def _variance(seen: Measured) -> F64:
+    """Return the mean variance per axis of the measured centres, (m,)."""
+    return np.asarray(np.trace(seen.covariance_m2, axis1=1, axis2=2) / 3.0)

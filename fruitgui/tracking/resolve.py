@@ -1,0 +1,133 @@
+"""Deciding what is one fruit: duplicates, ghosts of touching groups, clutter.
+
+A frame shows two fruit as two views, so tracks that are hardly ever shown
+together are one fruit, or one of them is the ghost of a group that some frame
+did not separate. The majority of frames decides, over all sensors and time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Protocol
+
+import numpy as np
+
+from fruitgui.frame import F64
+from fruitgui.tracking.settings import TrackerSettings
+from fruitgui.tracking.trail import Company, Trail
+
+NEIGHBOUR_M = 0.12
+"""Centres farther apart than this belong to different fruit, whatever the frames say."""
+
+ALMOST_NEVER = 0.2
+OFTEN_ENOUGH = 0.35
+"""Share of frames showing two fruit above which there are two: groups are missed more often than fruit are torn."""
+
+
+class Resolver(Protocol):
+    """Decides which finished trails are fruit, each once."""
+
+    def twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
+        """Return the trail that is the same fruit as this one and better supported, if there is one."""
+
+    def counts(self, trail: Trail, crossed: bool) -> bool:
+        """Tell whether the trail is a fruit to be counted; `crossed`: it left the field whole, by itself."""
+
+
+class EveryTrail:
+    """The source's way: every track is a fruit."""
+
+    def __init__(self, settings: TrackerSettings) -> None:
+        self._least = settings.least_views
+
+    def twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:  # noqa: ARG002 - the protocol
+        """Return none: tracks are not compared."""
+        return None
+
+    def counts(self, trail: Trail, crossed: bool) -> bool:
+        """Tell whether it was seen often enough."""
+        return (trail.views if crossed else trail.whole) >= self._least
+
+
+class Majority:
+    """The majority of frames decides what is one fruit."""
+
+    def __init__(self, settings: TrackerSettings) -> None:
+        self._settings = settings
+
+    def twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
+        """Return the better supported trail that is the same fruit, if there is one."""
+        near = [other for other in others if other is not trail and distance_m(trail, other) < NEIGHBOUR_M]
+        pairs = self._pair_it_covers(trail, near)
+        if pairs is not None:
+            return pairs
+        same = [other for other in near if _is_same(trail, other) and _rank(other) > _rank(trail)]
+        return max(same, key=_rank, default=None)
+
+    def _pair_it_covers(self, trail: Trail, near: list[Trail]) -> Trail | None:
+        """Return one of two neighbours that this trail is the unseparated group of, if the frames say so."""
+        apart = [other for other in near if _together(trail, other) <= ALMOST_NEVER and _sees_as_one(trail, other)]
+        for i, first in enumerate(apart):
+            for second in apart[i + 1 :]:
+                both = _company(first, second).both
+                if both >= OFTEN_ENOUGH * (both + trail.clear) and both > 0:
+                    return max(first, second, key=_rank)
+        return None
+
+    def counts(self, trail: Trail, crossed: bool) -> bool:
+        """Tell whether there is evidence enough for one fruit that rides on the belt."""
+        least = self._settings.least_views
+        if stands_beside_belt(trail):
+            return False
+        if trail.whole >= least:
+            return trail.views >= 0.15 * trail.expected
+        if not crossed:
+            return False
+        often = trail.views >= 0.3 * trail.expected
+        few_possible = trail.expected <= least + 1 and trail.clear >= least - 1
+        return often and (trail.clear >= least or few_possible)
+
+
+def _rank(trail: Trail) -> tuple[int, int, int]:
+    return trail.clear, trail.views, -trail.number
+
+
+def distance_m(first: Trail, second: Trail) -> float:
+    """Return how far apart two trails lie on the belt."""
+    return float(np.linalg.norm(first.place_m - second.place_m))
+
+
+def _company(first: Trail, second: Trail) -> Company:
+    return first.company.get(second.number, Company())
+
+
+def _together(first: Trail, second: Trail) -> float:
+    """Return the share of telling frames that showed both as views of their own."""
+    company = _company(first, second)
+    telling = company.both + company.one
+    return company.both / telling if telling else 0.0
+
+
+def _sees_as_one(first: Trail, second: Trail) -> bool:
+    return distance_m(first, second) < 0.8 * max(first.size_m, second.size_m)
+
+
+def _is_same(first: Trail, second: Trail) -> bool:
+    """Tell whether two trails are one fruit, by how close they lie and how seldom frames show both."""
+    separation = distance_m(first, second) / max(0.5 * (first.size_m + second.size_m), 0.02)
+    together = _together(first, second)
+    if separation < 0.45:
+        return together < 0.6
+    return separation < 0.75 and together < OFTEN_ENOUGH
+
+
+def stands_beside_belt(trail: Trail) -> bool:
+    """Tell whether the belt went on under this trail: a part of the machine, not a fruit."""
+    if len(trail.entries) < 2:
+        return False
+    first, last = trail.entries[0], trail.entries[-1]
+    belt: F64 = last.travelled_m - first.travelled_m
+    travelled = float(np.linalg.norm(belt))
+    if travelled < 0.15:
+        return False
+    return float((last.position_m - first.position_m) @ belt) / travelled < 0.3 * travelled

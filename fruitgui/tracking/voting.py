@@ -1,0 +1,71 @@
+"""What all fruit did in common: robust voting over every pair that could be one fruit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from fruitgui.frame import F64, Bools, Ints
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CommonShift:
+    """One displacement that carries tracks onto views.
+
+    Attributes:
+        shift_m: (2,) on the belt.
+        tracks, views: (k,) which track each agreeing view belongs to.
+        std_m: standard deviation of the shift per axis, as the pairs' own errors make it.
+        votes: their summed likeness.
+    """
+
+    shift_m: F64
+    tracks: Ints
+    views: Ints
+    std_m: float
+    votes: float
+
+
+def common_shift(
+    residual_m: F64, std_m: F64, likeness: F64, admissible: Bools, bonus: F64
+) -> CommonShift | None:
+    """Return the shift on which most views agree, each with one track; None where no pair is admissible.
+
+    Args:
+        residual_m: (n, m, 2) view minus track on the belt.
+        likeness: (n, m), 0-1, how much alike track and view look.
+        admissible: (n, m), pairs that could be the same fruit.
+        std_m: (n, m) how far view and track of one fruit differ, one standard deviation per axis.
+        bonus: (n, m) prior votes for each pair's own residual as the shift.
+    """
+    track, view = np.nonzero(admissible & (likeness > 0.02))
+    if not len(track):
+        return None
+    order = np.argsort(view, kind="stable")
+    track, view = track[order], view[order]
+    candidates, weight, sigma = residual_m[track, view], likeness[track, view], std_m[track, view]
+    apart = candidates[:, None] - candidates[None]
+    agree = np.exp(-0.5 * (apart * apart).sum(axis=2) / sigma**2) * weight
+    starts = np.flatnonzero(np.diff(view, prepend=-1))
+    score = np.maximum.reduceat(agree, starts, axis=1).sum(axis=1) + bonus[track, view]
+    best = candidates[int(np.argmax(score))]
+    apart_best = np.linalg.norm(candidates - best, axis=1) / sigma
+    pick = _one_each(track, view, apart_best**2 - 2.0 * np.log(weight), apart_best < 3.0)
+    precision = 1.0 / sigma[pick] ** 2
+    shift = (precision[:, None] * candidates[pick]).sum(axis=0) / precision.sum()
+    return CommonShift(shift, track[pick], view[pick], float(precision.sum() ** -0.5), float(weight[pick].sum()))
+
+
+def _one_each(track: Ints, view: Ints, cost: F64, allowed: Bools) -> Ints:
+    """Return the numbers of allowed pairs, cheapest first, no track and no view twice."""
+    taken_tracks: set[int] = set()
+    taken_views: set[int] = set()
+    chosen: list[int] = []
+    for i in np.argsort(cost):
+        if not allowed[i] or int(track[i]) in taken_tracks or int(view[i]) in taken_views:
+            continue
+        taken_tracks.add(int(track[i]))
+        taken_views.add(int(view[i]))
+        chosen.append(int(i))
+    return np.array(chosen, dtype=np.intp)
