@@ -22,7 +22,7 @@ POINTS_PER_VIEW = (18, 90)
 RIM_IN_ALL = 700
 RIM_PER_VIEW = (10, 36)
 
-EDGE_PX = 4.0
+EDGE_PX = 3.0
 """Points nearer to the edge of their picture than this lie: structured light fattens edges by up to two pixels."""
 
 LEAST_POINTS = 8

@@ -16,17 +16,17 @@ ROUND_SIGMA = 0.08
 ASPECT_SIGMA = 0.4
 """Spread of the logarithm of length over breadth: from flat onions to bananas."""
 
-ZONAL_SIGMA = {3: 0.06, 4: 0.04, 5: 0.025, 6: 0.018}
+ZONAL_SIGMA = {3: 0.04, 4: 0.026, 5: 0.016, 6: 0.012}
 """Spread of the dents that turn about the axis unchanged (necks of pears, hollows of apples), by degree."""
 
-UNEVEN_SIGMA = {3: 0.014, 4: 0.009, 5: 0.006, 6: 0.004}
+UNEVEN_SIGMA = {3: 0.006, 4: 0.004, 5: 0.0027, 6: 0.0018}
 """Spread of each of the other dents, by degree: a few per cent of the radius in all."""
 
 HEIGHT_SIGMA_M = 0.7e-3
 """How far a sensor's or a view's heights may be off after they were taken from its own belt."""
 
 
-EDGE_PX, EDGE_SIGMA_PX, EDGE_UNEVEN_PX = 0.7, 0.8, 0.3
+FATTENING_PX, FATTENING_SIGMA_PX, FATTENING_UNEVEN_PX = 0.7, 0.8, 0.3
 """Fattening of edges: its mean, its spread between sensors, and the spread of its difference between x and y."""
 
 
@@ -48,9 +48,9 @@ class Prior:
         """Return information (5, 5) and gradient (5,) on one sensor's shift and its edges' fattening."""
         information = np.zeros((5, 5))
         information[[0, 1, 2], [0, 1, 2]] = np.array([offset_sigma_m, offset_sigma_m, HEIGHT_SIGMA_M]) ** -2.0
-        information[3:, 3:] = 0.25 / EDGE_SIGMA_PX**2
-        information[3:, 3:] += np.array([[1.0, -1.0], [-1.0, 1.0]]) / EDGE_UNEVEN_PX**2
-        return information, information @ np.concatenate([offset_m, edge_px - EDGE_PX])
+        information[3:, 3:] = 0.25 / FATTENING_SIGMA_PX**2
+        information[3:, 3:] += np.array([[1.0, -1.0], [-1.0, 1.0]]) / FATTENING_UNEVEN_PX**2
+        return information, information @ np.concatenate([offset_m, edge_px - FATTENING_PX])
 
     def add(self, H: F64, b: F64, shape: Shape, body: F64) -> None:
         """Add the prior of the shape to the normal equations."""

@@ -14,7 +14,7 @@ from fruitgui.measurement.state import State
 FLOOR_SIGMA_M = 0.5e-3
 """Roughness of fruit and lens, in every point."""
 
-RIM_SIGMA_PX = 0.7
+RIM_SIGMA_PX = 1.8
 """Raggedness of an outline: a pixel's own width, and drop-outs."""
 
 OUTSIDE_PX = 0.4
@@ -29,7 +29,7 @@ FACING = 0.05
 FREEDOM = 4.0
 """Degrees of freedom of the Student distribution of the residuals."""
 
-LOW_M, LOW_SHARE = 9e-3, 0.2
+LOW_M, LOW_SHARE = 9e-3, 0.25
 """Outlines are not trusted below this height, nor below this share of the fruit's: there the belt cuts them."""
 
 

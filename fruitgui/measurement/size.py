@@ -14,7 +14,7 @@ from fruitgui.measurement.fit import Fit, improve
 from fruitgui.measurement.fruit import Quantity, Size
 from fruitgui.measurement.harmonics import basis
 from fruitgui.measurement.path import carried
-from fruitgui.measurement.prior import EDGE_PX, shape_prior
+from fruitgui.measurement.prior import FATTENING_PX, shape_prior
 from fruitgui.measurement.shape import Shape
 from fruitgui.measurement.state import State, first_state
 from fruitgui.tracking.track import Track
@@ -31,11 +31,12 @@ def measure(track: Track, rig: Rig) -> Size | None:
     return size_of(fit)
 
 
-def fit_surface(evidence: Evidence, velocity_m_s: F64, degree: int = DEGREE) -> Fit:
+def fit_surface(evidence: Evidence, velocity_m_s: F64, degree: int | None = None) -> Fit:
     """Return the closed surface through all views, coarse to fine: ball, ellipsoid, harmonics."""
+    degree = DEGREE if degree is None else degree
     path, _ = carried(evidence, evidence.centre_m, velocity_m_s, degree=1)
     few = evidence.thinned(2)
-    state = improve(first_state(few, path, EDGE_PX), few, shape_prior(0, 4e-3, axis_known=False), 5).state
+    state = improve(first_state(few, path, FATTENING_PX), few, shape_prior(0, 4e-3, axis_known=False), 5).state
     state = _upon_axes(_along_path(state, evidence, velocity_m_s, 3), degree)
     state = replace(state, along_m=np.zeros(evidence.used.shape))
     return improve(state, evidence, shape_prior(degree, 1.5e-3, axis_known=True), 4)
