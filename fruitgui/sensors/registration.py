@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from fruitgui.frame import F32, F64, U16, Intrinsics
+from fruitgui.frame import F32, F64, U16, Bools, Intrinsics, Ints
 from fruitgui.geometry.pose import Pose
 from fruitgui.sensors.lens import pixels_of_rays
 
@@ -26,6 +25,7 @@ _SAME_SURFACE_SHIFT = 6
 """Readings nearer to each other than 1/64 of the distance are of one surface."""
 _EMPTY = 64000
 """Stands for "no reading" while readings are drawn: farther than any, and any reading goes before it."""
+_EVERY, _SOME = slice(None), slice(None, None, 41)
 _NO_GAPS_BELOW = 0.98
 _WIDEST_GAP_PX = 8
 
@@ -54,9 +54,10 @@ class Registration:
         z_in_color, places = self._z_in_color(z_mm), self._places(z_mm)
         rows, columns = self.color.height + 2, self.color.width + 2
         picture = _nearest(rows, columns, places, z_in_color)[1:-1, 1:-1]
-        return _without_gaps(np.where(picture == _EMPTY, np.uint16(0), picture), *self._gaps)
+        picture[picture == _EMPTY] = 0
+        return _without_gaps(picture, *self._gaps)
 
-    def _places(self, z_mm: U16) -> NDArray[np.int32]:
+    def _places(self, z_mm: U16) -> Ints:
         """Return where in the canvas, which has a border of one pixel, each reading falls."""
         if self._polynomials is None:
             u, v = (one.astype(np.float32) for one in self._pixels(np.maximum(z_mm, 1) * 1e-3))
@@ -67,28 +68,28 @@ class Registration:
         np.clip(v, -1.0, self.color.height, out=v)
         u += np.float32(1.5)
         v += np.float32(1.5)
-        places = v.astype(np.int32)
+        places = v.astype(np.intp)
         places *= self.color.width + 2
         places += u.astype(np.int32)
         return places
 
     def _z_in_color(self, z_mm: U16) -> U16:
         """Return the depth along the colour camera's axis, `_EMPTY` where there is none."""
-        z = z_mm * self._directions[2]
+        z: F32 = z_mm * self._directions[2]
         z += np.float32(self.pose.translation_m[2] * 1e3 + 0.5)
         np.copyto(z, np.float32(_EMPTY), where=(z_mm == 0) | (z < 1.0) | (z > _FARTHEST_MM))
-        return z.astype(np.uint16)
+        return np.asarray(z, dtype=np.uint16)
 
     @cached_property
     def _directions(self) -> F32:
         """Rays of all depth pixels, z = 1 before turning, in the colour camera's axes: (3, N)."""
         rays = self.depth.rays().reshape(-1, 2).astype(np.float64)
-        directions = self.pose.rotation @ np.vstack([rays.T, np.ones(len(rays))])
-        return directions.astype(np.float32)
+        directions: F32 = (self.pose.rotation @ np.vstack([rays.T, np.ones(len(rays))])).astype(np.float32)
+        return directions
 
-    def _pixels(self, z_m: F64) -> tuple[F64, F64]:
+    def _pixels(self, z_m: F64, only: slice = _EVERY) -> tuple[F64, F64]:
         """Return the colour pixels of one depth (N,) or () per depth pixel; far outside where behind the camera."""
-        x, y, z = (d * z_m + t for d, t in zip(self._directions, self.pose.translation_m, strict=True))
+        x, y, z = (d[only] * z_m + t for d, t in zip(self._directions, self.pose.translation_m, strict=True))
         ahead = z > 1e-3
         z = np.where(ahead, z, 1.0)
         u, v = pixels_of_rays(self.color, x / z, y / z)
@@ -106,15 +107,18 @@ class Registration:
         nodes = 0.5 * (low + high) + 0.5 * (high - low) * np.cos(np.pi * np.array([1, 3, 5]) / 6)
         samples = np.stack([self._pixels(np.array(1.0 / w)) for w in nodes])
         coefficients = np.einsum("ij,jan->ain", np.linalg.inv(np.vander(nodes, 3, increasing=True)), samples)
-        for w in np.linspace(low, high, 5):
-            true = np.stack(self._pixels(np.array(1.0 / w)))
-            error = np.abs(_value(coefficients[0], w) - true[0]), np.abs(_value(coefficients[1], w) - true[1])
-            if max(one[self._in_picture(true)].max(initial=0.0) for one in error) > _CLOSE_ENOUGH_PX:
-                return None
         u, v = coefficients.astype(np.float32)
-        return u, v
+        worst_px = max(self._error_px(u, v, w) for w in np.linspace(low, high, 5))
+        return (u, v) if worst_px < _CLOSE_ENOUGH_PX else None
 
-    def _in_picture(self, pixels: F64) -> NDArray[np.bool_]:
+    def _error_px(self, u: F32, v: F32, w: float) -> float:
+        """Return how far the polynomials are off at one inverse depth, in view, on some of the pixels."""
+        true = np.stack(self._pixels(np.array(1.0 / w), _SOME))
+        at = np.full(1, w, dtype=np.float32)
+        guess = np.stack([_value(u[:, _SOME], at), _value(v[:, _SOME], at)])
+        return float(np.abs(guess - true)[:, self._in_picture(true)].max(initial=0.0))
+
+    def _in_picture(self, pixels: F64) -> Bools:
         u, v = pixels
         return np.asarray((u > -1) & (u < self.color.width) & (v > -1) & (v < self.color.height))
 
@@ -135,31 +139,36 @@ _INVERSE_DEPTH = np.zeros(65536, dtype=np.float32)
 _INVERSE_DEPTH[1:] = 1000.0 / np.arange(1, 65536)
 
 
-def _value(coefficients: NDArray[np.floating], w: NDArray[np.floating] | float) -> NDArray[np.floating]:
-    value = coefficients[2] * w
+def _value(coefficients: F32, w: F32) -> F32:
+    value: F32 = coefficients[2] * w
     value += coefficients[1]
     value *= w
     value += coefficients[0]
     return value
 
 
-def _nearest(rows: int, columns: int, places: NDArray[np.int32], z_mm: U16) -> U16:
+def _nearest(rows: int, columns: int, places: Ints, z_mm: U16) -> U16:
     """Draw each reading at its place; where several meet, one of the nearest surface stays.
 
     Of readings of one surface any may stay: always keeping the least would pull
     the surface towards the sensor by the noise.
     """
-    canvas = np.full(rows * columns, _EMPTY, dtype=np.uint16)
+    canvas: U16 = np.full(rows * columns, _EMPTY, dtype=np.uint16)
     canvas[places] = z_mm
     picture = canvas.reshape(rows, columns)
     picture[(0, -1), :] = 0
     picture[:, (0, -1)] = 0
-    nearer = z_mm + (z_mm >> _SAME_SURFACE_SHIFT) < canvas[places]
-    while nearer.any():
+    nearer = _goes_before(z_mm, canvas.take(places))
+    while len(nearer):
         places, z_mm = places[nearer], z_mm[nearer]
         canvas[places] = z_mm
-        nearer = z_mm + (z_mm >> _SAME_SURFACE_SHIFT) < canvas[places]
+        nearer = _goes_before(z_mm, canvas.take(places))
     return picture
+
+
+def _goes_before(z_mm: U16, drawn_mm: U16) -> Ints:
+    """Return which readings are of a surface that is nearer than what is drawn in their place."""
+    return np.flatnonzero(z_mm + (z_mm >> _SAME_SURFACE_SHIFT) < drawn_mm)
 
 
 def _without_gaps(depth_mm: U16, along_rows: int, along_columns: int) -> U16:
@@ -177,10 +186,12 @@ def _fill(depth_mm: U16, widest: int) -> U16:
     for gap in range(1, widest + 1):
         left, right = filled[:, : -gap - 1], filled[:, gap + 1 :]
         near, far = np.minimum(left, right), np.maximum(left, right)
-        one_surface = (near > 0) & (far - near <= near >> _SAME_SURFACE_SHIFT)
+        far += far >> _SAME_SURFACE_SHIFT
+        one_surface = (near > 0) & (far - near <= near >> (_SAME_SURFACE_SHIFT - 1))
         for step in range(1, gap + 1):
             middle = filled[:, step : step - gap - 1]
-            open_here = one_surface & ((middle == 0) | (middle > far + (far >> _SAME_SURFACE_SHIFT)))
-            between = left + ((right.astype(np.int32) - left) * step // (gap + 1)).astype(np.uint16)
-            middle[open_here] = between[open_here]
+            open_here = np.flatnonzero(one_surface & (middle - np.uint16(1) >= far))
+            rows, columns = np.divmod(open_here, middle.shape[1])
+            first, last = left[rows, columns].astype(np.int32), right[rows, columns].astype(np.int32)
+            middle[rows, columns] = (first + (last - first) * step // (gap + 1)).astype(np.uint16)
     return filled

@@ -1,7 +1,8 @@
 """Recordings: MCAP files with ROS 2 messages and ROS 1 bags, read and written."""
 
 from fruitgui.sensors.recordings.recording import Recording, open_recording
+from fruitgui.sensors.recordings.recovery import Recovered, recover
 from fruitgui.sensors.recordings.topics import SensorTopics, parse_topics
 from fruitgui.sensors.recordings.writer import RecordingWriter
 
-__all__ = ["Recording", "RecordingWriter", "SensorTopics", "open_recording", "parse_topics"]
+__all__ = ["Recording", "RecordingWriter", "Recovered", "SensorTopics", "open_recording", "parse_topics", "recover"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from fruitgui.errors import InputError
+from fruitgui.sensors.recordings.bag_file import BAG_MAGIC, BagFile
 from fruitgui.sensors.recordings.mcap_file import McapFile
 from fruitgui.sensors.recordings.raw import Container
 from fruitgui.sensors.recordings.records import MAGIC
@@ -25,6 +26,8 @@ def open_container(path: Path) -> Container:
             start = file.read(16)
         if start.startswith(MAGIC):
             return McapFile(path)
+        if start.startswith(BAG_MAGIC):
+            return BagFile(path)
     except OSError as error:
         raise InputError(
             "cannot_read", f"Cannot read {path}: {error.strerror}.", "Check the name and that the file may be read.",

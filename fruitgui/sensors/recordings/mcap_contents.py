@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import operator
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -20,11 +22,18 @@ class Contents:
 
     Attributes:
         types: type name by topic, of the topics that have messages.
+        channels: (topic, type name, wire) by channel id.
         chunks: (earliest log time, byte where it starts) of each chunk.
     """
 
     types: dict[str, str] = field(default_factory=dict)
+    channels: dict[int, tuple[str, str, str]] = field(default_factory=dict)
     chunks: list[tuple[int, int]] = field(default_factory=list)
+
+    @property
+    def tangled(self) -> bool:
+        """Whether the chunks do not stand in the order of their times, as where a file was written topic by topic."""
+        return any(after < before for (before, _), (after, _) in itertools.pairwise(self.chunks))
 
 
 def read_contents(file: BinaryIO, size: int) -> Contents | None:
@@ -48,7 +57,6 @@ def read_contents(file: BinaryIO, size: int) -> Contents | None:
 def _read(summary: bytes) -> Contents | None:
     contents = Contents()
     schemas: dict[int, str] = {}
-    channels: dict[int, tuple[str, str]] = {}
     counts: dict[int, int] = {}
     for opcode, record in walk(memoryview(summary)):
         fields = Fields(record)
@@ -56,15 +64,18 @@ def _read(summary: bytes) -> Contents | None:
             schemas[fields.number("H")] = plain_type(fields.text())
         elif opcode == CHANNEL:
             channel, schema = fields.number("H"), fields.number("H")
-            channels[channel] = (fields.text(), schemas.get(schema, ""))
+            contents.channels[channel] = (fields.text(), schemas.get(schema, ""), fields.text())
         elif opcode == STATISTICS:
             counts = _counts(fields)
         elif opcode == CHUNK_INDEX:
             start_time, _, start = fields.number("Q"), fields.number("Q"), fields.number("Q")
             contents.chunks.append((start_time, start))
-    if not channels:
+    if not contents.channels:
         return None
-    contents.types = {topic: kind for channel, (topic, kind) in channels.items() if counts.get(channel, not counts)}
+    contents.chunks.sort(key=operator.itemgetter(1))
+    contents.types = {
+        topic: kind for channel, (topic, kind, _) in contents.channels.items() if counts.get(channel, not counts)
+    }
     return contents
 
 

@@ -8,13 +8,14 @@ chunk.
 
 from __future__ import annotations
 
+import heapq
 import struct
 import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
-from fruitgui.sensors.recordings.mcap_contents import read_contents
+from fruitgui.sensors.recordings.mcap_contents import Contents, read_contents
 from fruitgui.sensors.recordings.raw import (
     MAX_CHUNK_BYTES,
     MAX_MESSAGE_BYTES,
@@ -40,7 +41,9 @@ from fruitgui.sensors.recordings.records import (
 from fruitgui.sensors.recordings.unpack import unpack
 
 _MAX_SMALL_RECORD = 4 * 1024 * 1024
+_MAX_UNTANGLING_BYTES = 256 * 1024 * 1024
 _MESSAGE_HEAD = struct.Struct("<HIQQ")
+_KEPT = frozenset({SCHEMA, CHANNEL, MESSAGE, METADATA})
 
 
 class McapFile:
@@ -50,13 +53,11 @@ class McapFile:
         self._path = path
         self._schemas: dict[int, str] = {}
         self._channels: dict[int, tuple[str, str, str]] = {}
-        self._wanted: Wanted = _none
         self._metadata: dict[str, dict[str, str]] = {}
         self._soundness = Soundness()
         with path.open("rb") as file:
             self._size = path.stat().st_size
-            contents = read_contents(file, self._size)
-        self._topics = None if contents is None else contents.types
+            self._contents = read_contents(file, self._size) or Contents()
 
     @property
     def metadata(self) -> dict[str, dict[str, str]]:
@@ -66,7 +67,7 @@ class McapFile:
     @property
     def topics(self) -> dict[str, str] | None:
         """Type name by topic, where the file has a table of contents."""
-        return self._topics
+        return self._contents.types or None
 
     @property
     def soundness(self) -> Soundness:
@@ -74,76 +75,119 @@ class McapFile:
         return self._soundness
 
     def messages(self, wanted: Wanted) -> Iterator[RawMessage]:
-        """Yield the messages of wanted topics in the order of the file."""
-        self._soundness = Soundness()
-        self._wanted, self._schemas, self._channels = wanted, {}, {}
-        with self._path.open("rb") as file:
-            yield from self._front_to_back(file)
+        """Yield the messages of wanted topics.
 
-    def _front_to_back(self, file: BinaryIO) -> Iterator[RawMessage]:
+        In the order of the file; in the order of their log times where the
+        chunks of the file do not follow those.
+        """
+        self._schemas, self._channels = {}, {}
+        records = self.records()
+        if self._contents.tangled:
+            records = self._untangled()
+            self._channels = {key: channel for key, channel in self._contents.channels.items() if wanted(channel[0])}
+        for opcode, record in records:
+            try:
+                if opcode == MESSAGE:
+                    yield from self._message(record)
+                else:
+                    self._define(opcode, Fields(record), wanted)
+            except MalformedError as error:
+                self._soundness.skip(str(error))
+
+    def records(self) -> Iterator[tuple[int, memoryview]]:
+        """Yield (opcode, content) of schemas, channels, messages and metadata, as far as the file is sound."""
+        self._soundness = Soundness()
+        with self._path.open("rb") as file:
+            for opcode, length in self._front_to_back(file):
+                yield from self._content(file, opcode, length)
+
+    def _front_to_back(self, file: BinaryIO) -> Iterator[tuple[int, int]]:
+        """Yield (opcode, length) of each outer record, the file standing at its content."""
         position = len(MAGIC)
         while True:
             file.seek(position)
             head = file.read(RECORD_HEAD.size)
-            if len(head) < RECORD_HEAD.size:
-                self._soundness.cut(position, self._size)
-                return
-            opcode, length = RECORD_HEAD.unpack(head)
+            opcode, length = RECORD_HEAD.unpack(head) if len(head) == RECORD_HEAD.size else (0, 0)
             if opcode in (DATA_END, FOOTER):
                 return
             end = position + RECORD_HEAD.size + length
             if opcode == 0 or end > self._size:
                 self._soundness.cut(position, self._size)
                 if opcode == CHUNK:
-                    yield from self._cut_chunk(file)
+                    yield opcode, -1
                 return
-            yield from self._record(file, opcode, length)
+            yield opcode, length
             position = end
 
-    def _record(self, file: BinaryIO, opcode: int, length: int) -> Iterator[RawMessage]:
+    def _content(self, file: BinaryIO, opcode: int, length: int) -> Iterator[tuple[int, memoryview]]:
         try:
             if opcode == CHUNK:
-                yield from self._chunk(file, length)
-            elif opcode == MESSAGE:
-                yield from self._loose_message(file, length)
-            elif opcode in (SCHEMA, CHANNEL, METADATA) and length <= _MAX_SMALL_RECORD:
-                self._definition(opcode, memoryview(file.read(length)))
+                yield from self._cut_chunk(file) if length < 0 else self._chunk(file, length)
+            elif opcode in _KEPT:
+                if length <= (MAX_MESSAGE_BYTES if opcode == MESSAGE else _MAX_SMALL_RECORD):
+                    yield opcode, memoryview(file.read(length))
+                else:
+                    self._soundness.skip("a record is too long")
         except MalformedError as error:
             self._soundness.skip(str(error))
 
-    def _loose_message(self, file: BinaryIO, length: int) -> Iterator[RawMessage]:
-        if length > MAX_MESSAGE_BYTES:
-            raise MalformedError("a message is too long to be one picture")
-        yield from self._message(memoryview(file.read(length)))
-
-    def _chunk(self, file: BinaryIO, length: int) -> Iterator[RawMessage]:
+    def _chunk(self, file: BinaryIO, length: int) -> Iterator[tuple[int, memoryview]]:
         if length > MAX_CHUNK_BYTES:
-            raise MalformedError(f"a chunk is {length} bytes long")
+            raise MalformedError("a chunk is too long")
         chunk = file.read(length)
         claimed, crc, kind, start, packed_length = _chunk_head(chunk)
         if packed_length != length - start:
             raise MalformedError("a chunk's length is not the length of what it holds")
-        records = unpack(kind, chunk[start:], claimed)
-        if crc and zlib.crc32(records) != crc:
+        content = unpack(kind, chunk[start:], claimed)
+        if crc and zlib.crc32(content) != crc:
             raise MalformedError("a chunk's checksum does not fit its content")
-        yield from self._records_of_chunk(records)
+        return walk(memoryview(content))
 
-    def _cut_chunk(self, file: BinaryIO) -> Iterator[RawMessage]:
-        """Yield what the last, incomplete chunk of a cut file still holds."""
+    def _cut_chunk(self, file: BinaryIO) -> Iterator[tuple[int, memoryview]]:
+        """Return what the last, incomplete chunk of a cut file still holds."""
+        chunk = file.read(MAX_CHUNK_BYTES)
         try:
-            chunk = file.read(MAX_CHUNK_BYTES)
             claimed, _, kind, start, packed_length = _chunk_head(chunk)
-            if len(chunk) - start <= packed_length:
-                yield from self._records_of_chunk(unpack(kind, chunk[start:], claimed, cut=True))
+            content = unpack(kind, chunk[start:], claimed, cut=True) if len(chunk) - start < packed_length else b""
         except MalformedError:
-            return
+            content = b""
+        return walk(memoryview(content))
 
-    def _records_of_chunk(self, records: bytes) -> Iterator[RawMessage]:
-        for opcode, record in walk(memoryview(records)):
-            if opcode == MESSAGE:
-                yield from self._message(record)
-            elif opcode in (SCHEMA, CHANNEL):
-                self._definition(opcode, record)
+    def _untangled(self) -> Iterator[tuple[int, memoryview]]:
+        """Yield the records with messages in order of their log times, by the table of contents."""
+        self._soundness = Soundness()
+        waiting: list[tuple[int, int, memoryview]] = []
+        held_bytes, count = 0, 0
+        with self._path.open("rb") as file:
+            yield from self._outside_chunks(file)
+            for starts_ns, position in sorted(self._contents.chunks):
+                while waiting and (waiting[0][0] < starts_ns or held_bytes > _MAX_UNTANGLING_BYTES):
+                    message = heapq.heappop(waiting)[2]
+                    held_bytes -= len(message)
+                    yield MESSAGE, message
+                for message in self._messages_of_chunk(file, position):
+                    count += 1
+                    held_bytes += len(message)
+                    heapq.heappush(waiting, (_MESSAGE_HEAD.unpack_from(message)[2], count, message))
+        while waiting:
+            yield MESSAGE, heapq.heappop(waiting)[2]
+
+    def _outside_chunks(self, file: BinaryIO) -> Iterator[tuple[int, memoryview]]:
+        for opcode, length in self._front_to_back(file):
+            if opcode != CHUNK:
+                yield from self._content(file, opcode, length)
+
+    def _messages_of_chunk(self, file: BinaryIO, position: int) -> Iterator[memoryview]:
+        if position + RECORD_HEAD.size > self._size:
+            return
+        file.seek(position)
+        opcode, length = RECORD_HEAD.unpack(file.read(RECORD_HEAD.size))
+        if opcode != CHUNK or position + RECORD_HEAD.size + length > self._size:
+            self._soundness.skip("the table of contents names a chunk that is not there")
+            return
+        for inner, record in self._content(file, opcode, length):
+            if inner == MESSAGE and len(record) >= _MESSAGE_HEAD.size:
+                yield memoryview(bytes(record))
 
     def _message(self, record: memoryview) -> Iterator[RawMessage]:
         if len(record) < _MESSAGE_HEAD.size:
@@ -153,23 +197,18 @@ class McapFile:
         if channel is not None:
             yield RawMessage(*channel, log_time_ns, bytes(record[_MESSAGE_HEAD.size :]))
 
-    def _definition(self, opcode: int, record: memoryview) -> None:
-        fields = Fields(record)
+    def _define(self, opcode: int, fields: Fields, wanted: Wanted) -> None:
         if opcode == SCHEMA:
             schema_id = fields.number("H")
             self._schemas[schema_id] = plain_type(fields.text())
         elif opcode == CHANNEL:
             channel_id, schema_id = fields.number("H"), fields.number("H")
             topic, wire = fields.text(), fields.text()
-            if self._wanted(topic):
+            if wanted(topic):
                 self._channels[channel_id] = (topic, self._schemas.get(schema_id, ""), wire)
         else:
             name = fields.text()
             self._metadata[name] = fields.table()
-
-
-def _none(_topic: str) -> bool:
-    return False
 
 
 def _chunk_head(chunk: bytes) -> tuple[int, int, str, int, int]:

@@ -43,12 +43,20 @@ class Fields:
 
     def text(self) -> str:
         """Return the next text."""
+        return str(self.octets(), "utf-8", "replace")
+
+    def octets(self) -> bytes:
+        """Return the next bytes, whose length stands before them."""
         end = self.number("I") + self.position
         if end > len(self._record):
-            raise MalformedError("a text in a record is longer than the record")
-        text = str(self._record[self.position : end], "utf-8", "replace")
+            raise MalformedError("a part of a record is longer than the record")
+        octets = bytes(self._record[self.position : end])
         self.position = end
-        return text
+        return octets
+
+    def rest(self) -> bytes:
+        """Return everything from here on."""
+        return bytes(self._record[self.position :])
 
     def table(self) -> dict[str, str]:
         """Return the next table of texts."""
