@@ -156,6 +156,7 @@ class ConsiderFilter:
 
 
 def pose_covariance(rig: Rig, sensor: str) -> F64:
+    """Return the (6, 6) covariance of a sensor's pose; zero for the reference, a guess where none is known."""
     covariance = rig.mounts[sensor].pose.covariance
     if covariance is not None:
         return np.asarray(covariance, dtype=np.float64)

@@ -31,10 +31,11 @@ def preset_errors(rig: Rig, preset: PaperPreset) -> dict[str, EntryErrors]:
 
 def station_errors(rig: Rig) -> dict[str, EntryErrors]:
     """Return what this station's own calibration estimated, for the poses from the reference to each sensor."""
-    return {
-        sensor: entry_errors(Pose(mount.pose.rotation, mount.pose.translation_m, pose_covariance(rig, sensor)).inverse())
+    posed = {
+        sensor: Pose(mount.pose.rotation, mount.pose.translation_m, pose_covariance(rig, sensor))
         for sensor, mount in rig.mounts.items()
     }
+    return {sensor: entry_errors(pose.inverse()) for sensor, pose in posed.items()}
 
 
 class PaperFilter:
@@ -82,7 +83,8 @@ class PaperFilter:
         residual = pose.apply(seen.position_m[views]) - pose.apply(position)
         R = pose.rotation
         spread = self.position_covariance_m2[tracks] + seen.covariance_m2[views]
-        return residual, R @ spread @ R.T + np.array([self._pose_noise(x, seen.sensor) for x in position]).reshape(-1, 3, 3)
+        noise = np.array([self._pose_noise(x, seen.sensor) for x in position]).reshape(-1, 3, 3)
+        return residual, R @ spread @ R.T + noise
 
     def _pose_noise(self, position_m: F64, sensor: str) -> F64:
         X, errors = stacked(position_m), self._errors[sensor]

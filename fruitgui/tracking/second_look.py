@@ -85,8 +85,7 @@ class WiderLook:
     def __call__(self, claims: Claims, position_m: F64, trails: Sequence[Trail]) -> Claims:
         """Return the claims with groups, loose matches and strays found."""
         claims = self._groups(claims, position_m, trails)
-        claims = self._badly_seen(claims, position_m, trails)
-        return claims
+        return self._badly_seen(claims, position_m, trails)
 
     def _groups(self, claims: Claims, position_m: F64, trails: Sequence[Trail]) -> Claims:
         """Find views that cover two or more tracks that are known apart."""
@@ -146,7 +145,8 @@ class WiderLook:
     def _strayed(self, claims: Claims, position_m: F64, trails: Sequence[Trail]) -> Claims:
         """Find the fruit that rolled: gone from its place, while one like it turned up where none could come in."""
         seen = claims.seen
-        tracks = np.array([i for i in claims.free_tracks(len(trails)) if self._may_roll(trails[i], seen)], dtype=np.intp)
+        free = claims.free_tracks(len(trails))
+        tracks = free[[self._may_roll(trails[i], seen) for i in free]] if len(free) else free
         views = claims.free_views()
         views = views[self._alone(views, claims, position_m)] if len(views) and len(tracks) else views[:0]
         if not len(views) or not len(tracks):

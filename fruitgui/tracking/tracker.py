@@ -90,7 +90,15 @@ class Tracker:
         """The fruit in view, as of the last observation."""
         position, covariance = self._filter.position_m, self._filter.position_covariance_m2
         return tuple(
-            LiveTrack(trail.number, self._time_s, position[i].copy(), covariance[i].copy(), trail.views, trail.whole, trail.last_s)
+            LiveTrack(
+                track=trail.number,
+                time_s=self._time_s,
+                position_m=position[i].copy(),
+                covariance_m2=covariance[i].copy(),
+                views=trail.views,
+                whole=trail.whole,
+                last_seen_s=trail.last_s,
+            )
             for i, trail in enumerate(self._trails)
         )
 
@@ -194,7 +202,12 @@ class Tracker:
 
     def _see(self, trail: Trail, seen: Measured, view: int, travelled_m: F64) -> None:
         entry = Entry(
-            seen.time_s, seen.views[view], seen.position_m[view], seen.covariance_m2[view], travelled_m, bool(seen.cut[view])
+            time_s=seen.time_s,
+            view=seen.views[view],
+            position_m=seen.position_m[view],
+            covariance_m2=seen.covariance_m2[view],
+            travelled_m=travelled_m,
+            cut=bool(seen.cut[view]),
         )
         trail.see(entry, seen.looks[view], float(seen.size_m[view]), self._settings.kept_views)
 

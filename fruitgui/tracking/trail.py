@@ -147,7 +147,7 @@ def thinned(entries: Sequence[Entry], most: int) -> list[Entry]:
 
 
 def _spread(entries: Sequence[Entry], numbers: Sequence[int], most: int) -> list[int]:
-    """Return `most` of the numbers: one from each of as many equal stretches of the way as hold any, whole ones first."""
+    """Return `most` of the numbers, one from each of as many equal stretches of the way, whole ones first."""
     travelled = np.array([entry.travelled_m for entry in entries])
     time_s = np.array([entry.time_s for entry in entries])
     step = np.linalg.norm(np.diff(travelled, axis=0), axis=1) + STANDING_M_S * np.abs(np.diff(time_s))
