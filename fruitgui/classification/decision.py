@@ -27,6 +27,9 @@ _FARTHEST = 2.0
 _UNTESTED = 6.0
 """The threshold where no fruit could be held out."""
 
+_DOUBT = -math.log(0.65)
+"""A fruit whose best kind is less probable than this is unknown, unless trained fruit are often as doubtful."""
+
 _STEEPNESS = 1.5
 _VIEW_WEIGHTS = np.geomspace(0.05, 8.0, 23)
 _FRUIT_WEIGHTS = np.concatenate([[0.0], np.geomspace(0.005, 1.0, 22)])
@@ -92,35 +95,46 @@ class Novelty:
 
     The cube root of a squared distance is nearly normal (Wilson & Hilferty 1931), so few held-out fruit suffice to
     say where the rare ones lie. Each set of axes has its own centre and spread, and the worst set decides: what
-    differs in colour alone is not hidden by all the shape that fits.
+    differs in colour alone is not hidden by all the shape that fits. And what lies between kinds, so that it is not
+    plainly one of them, need not lie far from them to be something else: doubt adds to distance, in square.
 
     Attributes:
         centres: (A,) of the cube roots of trained fruit's distances.
         spreads: (A,) of the same.
         threshold: standardised distance beyond which a fruit is unknown, > 0.
+        doubt: negative logarithm of the best kind's probability beyond which a fruit is unknown, > 0.
     """
 
     centres: F64
     spreads: F64
     threshold: float
+    doubt: float
 
-    def score(self, distances: F64) -> float:
-        """Return the distance as a share of the threshold, from squared distances (A,)."""
-        return max(0.0, float(_worst(self.centres, self.spreads, distances[None, :])[0]) / self.threshold)
+    def score(self, distances: F64, doubt: float) -> float:
+        """Return how far beyond the trained kinds a fruit lies: 1 is the threshold.
+
+        Args:
+            distances: (A,) squared, to its kind.
+            doubt: negative logarithm of its kind's probability.
+        """
+        distance = max(0.0, float(_worst(self.centres, self.spreads, distances[None, :])[0]))
+        return math.hypot(distance / self.threshold, doubt / self.doubt)
 
 
-def fit_novelty(own: F64, foreign: F64) -> Novelty:
+def fit_novelty(own: F64, foreign: F64, doubts: F64) -> Novelty:
     """Return the threshold that keeps trained fruit and, where there is room, keeps strangers out.
 
     Args:
         own: (N, L, A) distances of held-out fruit to their own kind, each in L lights.
         foreign: (M, A) distances of strangers to the nearest kind: kinds left out of training, things labelled unknown.
+        doubts: (N,) doubts of the held-out fruit that got their kind.
     """
     from scipy.stats import t as student
 
     fruit, sets = len(own), own.shape[-1]
+    doubt = max(_DOUBT, 1.25 * float(np.quantile(doubts, 0.99))) if len(doubts) else _DOUBT
     if fruit == 0:
-        return Novelty(np.full(sets, 1.0), np.full(sets, 0.5), _UNTESTED)
+        return Novelty(np.full(sets, 1.0), np.full(sets, 0.5), _UNTESTED, doubt)
     roots = np.cbrt(own.reshape(-1, sets))
     centres = np.median(roots, axis=0)
     upper = np.sqrt(np.mean(np.maximum(roots - centres, 0.0) ** 2, axis=0) * 2.0)
@@ -129,10 +143,10 @@ def fit_novelty(own: F64, foreign: F64) -> Novelty:
     reach = float(student.ppf(1.0 - _PROMISE, max(fruit - 1, 2))) * math.sqrt(1.0 + 1.0 / fruit)
     needed = max(float(worst.mean()) + reach * max(float(worst.std()), 0.5), 2.5)
     if len(foreign) == 0:
-        return Novelty(centres, spreads, needed)
+        return Novelty(centres, spreads, needed, doubt)
     stranger = float(np.quantile(_worst(centres, spreads, foreign), _FOREIGN_SHARE))
     threshold = needed + _REACH * max(0.0, stranger - needed)
-    return Novelty(centres, spreads, min(threshold, _FARTHEST * needed))
+    return Novelty(centres, spreads, min(threshold, _FARTHEST * needed), doubt)
 
 
 def _worst(centres: F64, spreads: F64, distances: F64) -> F64:
@@ -143,7 +157,7 @@ def decide(kinds: tuple[str, ...], scores: Scores, weighing: Weighing, novelty: 
     """Return the kind of one fruit: the most probable one, unless the fruit is too far from it."""
     logs = weighing.log_probabilities(scores)
     best = int(logs.argmax())
-    score = novelty.score(scores.distances[:, best])
+    score = novelty.score(scores.distances[:, best], -float(logs[best]))
     if scores.stranger > scores.fruit[best]:
         score = max(score, 1.0 + min((scores.stranger - scores.fruit[best]) / 10.0, 1.0))
     excess = _STEEPNESS * novelty.threshold * (score - 1.0)

@@ -3,10 +3,10 @@
 It serves twice: its distances say whether a fruit is like any trained kind at all, and its log-density is a second
 opinion on the kind beside the perceptron's, which knows the fused size.
 
-A dozen fruit cannot teach a covariance of fifty features. So: the covariance within kinds is pooled over all
-kinds and shrunk (Ledoit & Wolf 2004); each kind's own is drawn towards the pooled one as if that had been seen on
-`strength` fruit (the conjugate prior of a normal's covariance); the mean of n fruit is itself uncertain by a share
-1/n; and a fruit seen in fewer views than usual is less certain by the spread between views.
+A dozen fruit cannot teach a covariance of fifty features. So: the correlations are pooled over all kinds and shrunk
+(Ledoit & Wolf 2004); each kind has its own spread in each feature, drawn towards the pooled one as if that had been
+seen on `strength` fruit; the mean of n fruit is itself uncertain by a share 1/n; and a fruit seen in fewer views than
+usual is less certain by the spread between views.
 """
 
 from __future__ import annotations
@@ -27,6 +27,9 @@ _PRIOR_SHARE = 0.3
 
 _LEAST_SPREAD = 1e-3
 """Least spread within kinds as a share of the spread over all fruit: no feature decides everything alone."""
+
+_LEAST_SHARE = 0.02
+"""Least spread of one kind as a share of the first guess."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,7 +86,7 @@ class Density:
         counts: (K,) fruit that taught each kind.
         view_spread: (D, D) covariance of one view about its fruit.
         views: views of a usual fruit.
-        strength: fruit that the pooled covariance counts for in each kind's own.
+        strength: fruit that the pooled spread counts for in each kind's own.
     """
 
     unit: F64
@@ -130,16 +133,17 @@ def fit_density(fruit: FruitVectors, kinds: Ints, count: int, strength: float, n
     means = np.array([points[kinds == kind].mean(axis=0) for kind in range(count)])
     counts = np.bincount(kinds, minlength=count).astype(float)
     residuals = points - means[kinds]
-    freedom = len(points) - count
     view_spread = fruit.spreads.mean(axis=0)
-    variance, unit = _within(points, residuals, freedom, view_spread)
-    view_spread = view_spread / np.outer(unit, unit)
-    pooled = _pooled(residuals / unit, freedom, variance / unit**2)
-    nuisance = nuisance / np.outer(unit, unit)
-    covariances = np.empty((count, *pooled.shape))
+    guess, variance = _within(points, residuals, len(points) - count, np.diag(view_spread))
+    unit, own = np.sqrt(variance), np.empty_like(means)
     for kind in range(count):
-        own = residuals[kinds == kind] / unit
-        covariances[kind] = (strength * pooled + own.T @ own) / (strength + max(counts[kind] - 1.0, 0.0)) + nuisance
+        squares = (residuals[kinds == kind] ** 2).sum(axis=0)
+        own[kind] = (squares + strength * variance) / (strength + max(counts[kind] - 1.0, 0.0))
+    own = np.sqrt(np.maximum(own, guess * _LEAST_SHARE**2)) / unit
+    correlation = _correlation(residuals / unit / own[kinds], len(points) - count)
+    changed = nuisance / np.outer(unit, unit)
+    covariances = own[:, :, None] * correlation * own[:, None, :] + changed
+    view_spread = view_spread / np.outer(unit, unit)
     return Density(unit, means / unit, covariances, counts, view_spread, float(np.median(fruit.views)), strength)
 
 
@@ -159,22 +163,21 @@ def _mean(rows: F64) -> F64:
     return np.asarray(np.where(seen.any(axis=0), total / np.maximum(seen.sum(axis=0), 1), np.nan))
 
 
-def _within(points: F64, residuals: F64, freedom: int, view_spread: F64) -> tuple[F64, F64]:
-    """Return the first guess on the variance within kinds, and the unit of each axis."""
-    total = points.var(axis=0)
-    guess = np.maximum(_PRIOR_SHARE**2 * total, np.diag(view_spread))
-    variance = ((residuals**2).sum(axis=0) + _PRIOR_FRUIT * guess) / (max(freedom, 0) + _PRIOR_FRUIT)
-    least = np.maximum(_LEAST_SPREAD**2 * total, 1e-12 * (1.0 + (points**2).mean(axis=0)))
-    unit = np.sqrt(np.maximum(variance, least))
-    return np.maximum(guess, least), unit
+def _within(points: F64, residuals: F64, freedom: int, view_variance: F64) -> tuple[F64, F64]:
+    """Return the first guess on the variance within kinds (D,), and the pooled variance mixed with it (D,)."""
+    least = _LEAST_SPREAD**2 * points.var(axis=0) + 1e-12 * (1.0 + (points**2).mean(axis=0))
+    guess = np.maximum(np.maximum(_PRIOR_SHARE**2 * points.var(axis=0), view_variance), least)
+    pooled = ((residuals**2).sum(axis=0) + _PRIOR_FRUIT * guess) / (max(freedom, 0) + _PRIOR_FRUIT)
+    return guess, np.maximum(pooled, least)
 
 
-def _pooled(residuals: F64, freedom: int, guess: F64) -> F64:
-    """Return the covariance within kinds: shrunk, and mixed with the first guess."""
+def _correlation(residuals: F64, freedom: int) -> F64:
+    """Return the correlation within kinds (D, D), shrunk towards none."""
     if freedom < 1:
-        return np.diag(guess)
+        return np.eye(residuals.shape[1])
     from sklearn.covariance import ledoit_wolf
 
     shrunk, _ = ledoit_wolf(residuals, assume_centered=True)
-    shrunk = shrunk * (len(residuals) / freedom)
-    return np.asarray((freedom * shrunk + _PRIOR_FRUIT * np.diag(guess)) / (freedom + _PRIOR_FRUIT))
+    mixed = freedom * shrunk / (np.trace(shrunk) / len(shrunk)) + _PRIOR_FRUIT * np.eye(len(shrunk))
+    scale = np.sqrt(np.diag(mixed))
+    return np.asarray(mixed / np.outer(scale, scale))

@@ -19,8 +19,8 @@ FOLDS = 5
 LIGHTS = 3
 """In how many lights a held-out fruit is put to find how far trained fruit may lie."""
 
-STRENGTHS = (4.0, 12.0, 40.0, 150.0)
-"""Candidates for the strength of the pooled covariance: from each kind its own to all alike."""
+STRENGTHS = (3.0, 8.0, 24.0, 100.0)
+"""Candidates for the strength of the pooled spread: from each kind its own to all alike."""
 
 
 def deal(kinds: Ints, random: np.random.Generator) -> Ints:
@@ -79,7 +79,10 @@ class HeldOut:
     def fit(self, rows: Ints) -> tuple[Weighing, Novelty]:
         """Return what weighs the parts, fitted to the chosen fruit."""
         scores = [self.scores[row] for row in rows]
-        return fit_weighing(scores, self.kinds[rows]), fit_novelty(self.own[rows], self.foreign)
+        weighing = fit_weighing(scores, self.kinds[rows])
+        logs = [weighing.log_probabilities(one) for one in scores]
+        doubts = [-log.max() for log, kind in zip(logs, self.kinds[rows], strict=True) if log.argmax() == kind]
+        return weighing, fit_novelty(self.own[rows], self.foreign, np.array(doubts))
 
 
 def hold_out(

@@ -32,7 +32,7 @@ CHANGES: tuple[dict[str, float], ...] = (
     {"log_red_to_belt": 0.4},  # another belt, or one that got dirty
     {"log_green_to_belt": 0.4},
     {"log_blue_to_belt": 0.4},
-    {"log_value_to_belt": 0.25, "log_red_to_belt": 0.25, "log_green_to_belt": 0.25, "log_blue_to_belt": 0.25},
+    {"log_value_to_belt": 0.4, "log_red_to_belt": 0.4, "log_green_to_belt": 0.4, "log_blue_to_belt": 0.4},
     {"red_share": 0.012, "green_share": -0.004, "saturation_mean": 0.02, "hue_cosine": 0.03, "hue_sine": -0.03},  # warm
     {"green_share": 0.008, "red_share": -0.004, "hue_sine": 0.03},  # greenish
     {"value_contrast": 0.05},  # a lamp from the side
@@ -43,6 +43,17 @@ CHANGES: tuple[dict[str, float], ...] = (
     {"value_texture": 0.01},
     {"hue_cosine": 0.03},
     {"hue_sine": 0.03},
+    {"length_m": 0.04, "width_m": 0.04, "area_m2": 0.08, "volume_m3": 0.08},  # edges fattened by a pixel or two
+    {"height_m": 0.03, "height_to_width": 0.03},
+    {"width_to_length": 0.03},
+    {"height_to_width": 0.05},
+    {"solidity": 0.015},  # outlines cut out of a group, drawn coarser or finer
+    {"fill": 0.012},
+    {"ellipse_error": 0.015},
+    {"lopsidedness": 0.03},
+    {"height_p20": 0.025, "height_p50": 0.015, "height_p80": 0.01},
+    {"sphere_residual": 0.006},
+    {"sphere_radius_m": 0.05},
 )  # fmt: skip
 """What light and belt that training did not show may change, each with the standard deviation of every feature in it.
 

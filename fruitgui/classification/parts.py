@@ -36,7 +36,7 @@ def to_parts(model: KindModel) -> tuple[Settings, Arrays]:
         "fruit_features": list(core.names.fruit),
         "layers": len(core.network.weights),
         "weighing": {"views": model.weighing.views, "fruit": model.weighing.fruit},
-        "unknown": {"threshold": model.novelty.threshold},
+        "unknown": {"threshold": model.novelty.threshold, "doubt": model.novelty.doubt},
         "density": {"views": core.density.views, "strength": core.density.strength},
         "strangers": 0 if core.strangers is None else len(core.strangers.means),
     }
@@ -135,6 +135,7 @@ def _novelty(reader: _Reader, sets: int) -> Novelty:
         reader.array("unknown/centres", (sets,)),
         reader.positive("unknown/spreads", (sets,)),
         reader.number("unknown", "threshold", 1e-3, 1e6),
+        reader.number("unknown", "doubt", 1e-3, 1e6),
     )
 
 
