@@ -10,7 +10,6 @@ seen but a jump in depth; jumps are dug into the height map as moats.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -19,8 +18,13 @@ import numpy as np
 
 from fruitgui.frame import F32, F64, U8, U16, Bools, Ints
 from fruitgui.perception.limits import DepthLimits
+from fruitgui.perception.outline import Contour
 from fruitgui.perception.segment import MOST_GROUPS, Groups
 from fruitgui.perception.settings import PerceptionSettings
+
+
+CONVEX = 0.92
+"""Outlines that fill this part of their convex hull may be of one hollow thing."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,8 +110,10 @@ class HeightSplitter:
         self._window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
         belt_z = np.array(limits.belt_z_m)
         # A surface seen at 63° recedes by tan 63° = 2 pixels' width per pixel; the depth's own steps add to it.
-        self._allowed_mm = 1e3 * (2.0 * self._scale * limits.belt_z_m / limits.focal_px + 1.5 * float(settings.step_at_m(belt_z)))
+        slope_m = 2.0 * self._scale * limits.belt_z_m / limits.focal_px
+        self._allowed_mm = round(1e3 * (slope_m + 1.5 * float(settings.step_at_m(belt_z))))
         self._least_dip_m = max(0.005, 3.0 * float(settings.noise_at_m(belt_z)))
+        self._thin_px = 0.33 * smallest_px / self._scale
         self._least_px = 0.3 * np.pi / 4.0 * smallest_px**2
 
     def __call__(self, groups: Groups, depth_mm: U16) -> Parts:
@@ -121,10 +127,51 @@ class HeightSplitter:
         tops = find_tops(relief, wide_px, labels, self._window)
         clusters = self._clusters(relief, wide_px, tops)
         cuts = {}
-        for group, peaks in tops_by_group(tops, clusters).items():
-            if len(np.unique(clusters[peaks])) > 1:
-                cuts[group] = self._cut(groups, group, relief, labels, tops.place[peaks], clusters[peaks])
+        for group in _with_several(tops, clusters):
+            patch = self._patch(groups.contours[group], group, labels, relief, wide_px)
+            mine = tops.group == group
+            cut = self._cut(patch, tops.place[mine] - patch.corner, clusters[mine])
+            if cut is not None:
+                cuts[group] = self._refined(cut, patch, groups, group)
         return with_parts(groups, cuts, self._least_px) if cuts else unsplit(groups)
+
+    def _patch(self, contour: Contour, group: int, labels: U8, relief: F32, wide_px: F32) -> Patch:
+        """Return the coarse maps of one group."""
+        left, top, width, height = cv2.boundingRect(contour)
+        s = self._scale
+        rows, columns = slice(top // s, (top + height - 1) // s + 1), slice(left // s, (left + width - 1) // s + 1)
+        mine = labels[rows, columns] == group + 1
+        ground = np.where(mine, relief[rows, columns], np.float32(-1.0))
+        convex = cv2.contourArea(contour) > CONVEX * cv2.contourArea(cv2.convexHull(contour))
+        return Patch(
+            np.array([rows.start, columns.start]), (left, top, width, height), mine, ground, wide_px[rows, columns], convex
+        )
+
+    def _cut(self, patch: Patch, place: Ints, cluster: Ints) -> U8 | None:
+        """Return the parts (1 … K) of one group on the coarse grid, None if it is one fruit after all."""
+        if patch.convex:
+            ground = pits_filled(patch.ground)
+            tops = find_tops(ground, patch.wide_px, patch.mine.astype(np.uint8), self._window)
+            place, cluster = tops.place, self._clusters(ground, patch.wide_px, tops)
+        else:
+            ground = patch.ground
+        numbers = np.unique(cluster, return_inverse=True)[1] + 1
+        if numbers.max(initial=1) < 2:
+            return None
+        parts = _basins(ground, place, numbers.astype(np.uint8))
+        parts[~patch.mine] = 0
+        return parts
+
+    def _refined(self, parts: U8, patch: Patch, groups: Groups, group: int) -> U8:
+        """Return the parts over the group's bounding box in the crop's own pixels."""
+        left, top, width, height = patch.box
+        s = self._scale
+        grown = np.where(parts == 0, cv2.dilate(parts, np.ones((5, 5), np.uint8)), parts)
+        fine = np.repeat(np.repeat(grown, s, axis=0), s, axis=1)
+        row, column = top - int(patch.corner[0]) * s, left - int(patch.corner[1]) * s
+        fine = np.pad(fine, ((0, s), (0, s)), mode="edge")[row : row + height, column : column + width]
+        own = groups.labels[top : top + height, left : left + width] == group + 1
+        return np.ascontiguousarray(np.where(own, fine, 0), dtype=np.uint8)
 
     def _relief(self, groups: Groups, depth_mm: U16, labels: U8) -> F32:
         """Return heights above the belt on the coarse grid, gaps filled from around them, jumps dug as moats."""
@@ -140,14 +187,17 @@ class HeightSplitter:
         return np.asarray(relief, dtype=np.float32)
 
     def _moats(self, depth: U16, solid: U8) -> U16:
-        """Return by how many millimetres depth jumps to the right or down, beyond what a slope would, (h, w)."""
+        """Return by how many millimetres what lies behind an edge is farther than a slope would make it, (h, w).
+
+        Only the farther side of an edge is dug: the rim of a bowl stays a ridge.
+        """
         moat = np.zeros_like(depth)
-        for here, there in (((slice(None), slice(1, None)), (slice(None), slice(-1))), ((slice(1, None),), (slice(-1),))):
-            jump = cv2.subtract(cv2.absdiff(depth[here], depth[there]), int(self._allowed_mm))
-            both = cv2.bitwise_and(solid[here], solid[there])
-            jump = cv2.copyTo(jump, both)
+        across = (slice(None), slice(1, None)), (slice(None), slice(-1))
+        down = (slice(1, None),), (slice(-1),)
+        for here, there in (across, across[::-1], down, down[::-1]):
+            jump = cv2.subtract(cv2.subtract(depth[here], depth[there]), self._allowed_mm)
+            jump = cv2.copyTo(jump, solid[there])
             np.maximum(moat[here], jump, out=moat[here])
-            np.maximum(moat[there], jump, out=moat[there])
         return moat
 
     def _clusters(self, relief: F32, wide_px: F32, tops: Tops) -> Ints:
@@ -164,31 +214,40 @@ class HeightSplitter:
         forest = _Forest(tops.height_m, tops.wide_px)
         edges = np.column_stack([first, second])[order].tolist()
         for (a, b), low, narrow in zip(edges, saddle[order].tolist(), neck[order].tolist(), strict=True):
-            forest.join(a, b, lambda top_m, wide_px, low=low, narrow=narrow: self._apart(top_m - low, top_m, wide_px - narrow, wide_px))
+            if not self._apart(*forest.lower_and_narrower(a, b), low, narrow):
+                forest.join(a, b)
+        for a, b in edges:
+            # What is thinner than any fruit is a finger or a leaf's tip: part of what it hangs on.
+            if forest.lower_and_narrower(a, b)[1] < self._thin_px:
+                forest.join(a, b)
         return forest.roots()
 
-    def _apart(self, dip_m: float, top_m: float, waist_px: float, wide_px: float) -> bool:
+    def _apart(self, top_m: float, wide_px: float, low_m: float, narrow_px: float) -> bool:
         """Tell whether a dip below the lower top and a waist beside the narrower part make two fruit."""
-        dip = dip_m / max(self._settings.prominence * top_m, self._least_dip_m)
-        waist = waist_px / max(self._settings.waist * wide_px, 2.0)
+        dip = (top_m - low_m) / max(self._settings.prominence * top_m, self._least_dip_m)
+        waist = (wide_px - narrow_px) / max(self._settings.waist * wide_px, 2.0)
         return dip + max(waist, 0.0) >= 1.0
 
-    def _cut(self, groups: Groups, group: int, relief: F32, labels: U8, place: Ints, cluster: Ints) -> U8:
-        """Return the parts of one group over its bounding box: every pixel goes to the top it climbs to."""
-        left, top, width, height = cv2.boundingRect(groups.contours[group])
-        s = self._scale
-        window = (slice(top // s, (top + height - 1) // s + 1), slice(left // s, (left + width - 1) // s + 1))
-        mine = labels[window] == group + 1
-        ground = np.where(mine, relief[window], np.float32(-1.0))
-        numbers = np.unique(cluster, return_inverse=True)[1] + 1
-        coarse = _basins(ground, place - [window[0].start, window[1].start], numbers.astype(np.uint8))
-        coarse[~mine] = 0
-        grown = np.where(coarse == 0, cv2.dilate(coarse, np.ones((5, 5), np.uint8)), coarse)
-        fine = np.repeat(np.repeat(grown, s, axis=0), s, axis=1)
-        start = (top - window[0].start * s, left - window[1].start * s)
-        fine = np.pad(fine, ((0, s), (0, s)), mode="edge")[start[0] : start[0] + height, start[1] : start[1] + width]
-        own = groups.labels[top : top + height, left : left + width] == group + 1
-        return np.ascontiguousarray(np.where(own, fine, 0), dtype=np.uint8)
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Patch:
+    """The coarse maps of one group, over its bounding box.
+
+    Attributes:
+        corner: (2,) row and column where it begins on the coarse grid.
+        box: left, top, width, height in the crop's own pixels.
+        mine: (h, w) whether a pixel belongs to the group.
+        ground: (h, w) heights, −1 outside the group.
+        wide_px: (h, w) distance from the outline.
+        convex: the group's outline has no notch.
+    """
+
+    corner: Ints
+    box: tuple[int, int, int, int]
+    mine: Bools
+    ground: F32
+    wide_px: F32
+    convex: bool
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -208,10 +267,30 @@ class Tops:
     group: Ints
 
 
-def tops_by_group(tops: Tops, clusters: Ints) -> dict[int, Ints]:
-    """Return the tops of every group that has more than one."""
-    counts = np.bincount(tops.group)
-    return {int(group): np.flatnonzero(tops.group == group) for group in np.flatnonzero(counts > 1)}
+def _with_several(tops: Tops, clusters: Ints) -> list[int]:
+    """Return the groups that hold more than one cluster of tops."""
+    pairs = np.unique(tops.group * len(clusters) + clusters)
+    groups, counts = np.unique(pairs // max(len(clusters), 1), return_counts=True)
+    return [int(group) for group in groups[counts > 1]]
+
+
+def pits_filled(ground: F32) -> F32:
+    """Return a height map (h, w) in which no hollow is deeper than the lowest way out of it.
+
+    Grey-scale reconstruction by erosion (Vincent 1993). A bowl, the dimple of an
+    apple and a hole of missing readings are such hollows; the valley between two
+    touching fruit is open at both ends.
+    """
+    level = np.full((ground.shape[0] + 2, ground.shape[1] + 2), np.float32(9.0))
+    level[[0, -1], :] = level[:, [0, -1]] = -1.0
+    floor = np.pad(ground, 1, constant_values=-1.0)
+    kernel = np.ones((3, 3), np.uint8)
+    for _ in range(sum(ground.shape)):
+        lower = cv2.max(cv2.erode(level, kernel), floor)
+        if np.array_equal(lower, level):
+            break
+        level = lower
+    return np.ascontiguousarray(level[1:-1, 1:-1])
 
 
 def find_tops(relief: F32, wide_px: F32, labels: U8, window: U8, most: int = 400) -> Tops:
@@ -236,7 +315,7 @@ def _pairs(tops: Tops) -> tuple[Ints, Ints]:
     return first, second
 
 
-def lowest_between(relief: F32, start: Ints, end: Ints, samples: int = 24) -> F64:
+def lowest_between(relief: F32, start: Ints, end: Ints, samples: int = 40) -> F64:
     """Return the lowest height (M,) on the straight ways between places (M, 2) of a height map."""
     way = np.linspace(0.0, 1.0, samples)
     places = start[:, None, :] + way[None, :, None] * (end - start)[:, None, :]
@@ -259,11 +338,14 @@ class _Forest:
             top = self._parent[top]
         return top
 
-    def join(self, a: int, b: int, apart: Callable[[float, float], bool]) -> None:
-        """Join the trees of two tops unless `apart(lower top's height, narrower tree's half width)`."""
+    def lower_and_narrower(self, a: int, b: int) -> tuple[float, float]:
+        """Return the height of the lower and the half width of the narrower of two tops' trees."""
         a, b = self.root(a), self.root(b)
-        if a == b or apart(min(self._height[a], self._height[b]), min(self._wide[a], self._wide[b])):
-            return
+        return min(self._height[a], self._height[b]), min(self._wide[a], self._wide[b])
+
+    def join(self, a: int, b: int) -> None:
+        """Join the trees of two tops."""
+        a, b = self.root(a), self.root(b)
         lower, upper = (a, b) if self._height[a] < self._height[b] else (b, a)
         self._parent[lower] = upper
         self._wide[upper] = max(self._wide[upper], self._wide[lower])
