@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from fruitgui.errors import InputError
 from fruitgui.frame import U16, Frame, Intrinsics
 from fruitgui.geometry.pose import Pose
@@ -14,7 +16,6 @@ from fruitgui.sensors.recordings.pictures import decode_color, decode_depth, pic
 from fruitgui.sensors.recordings.raw import MalformedError
 from fruitgui.sensors.recordings.survey import Survey
 from fruitgui.sensors.recordings.topics import SensorTopics
-from fruitgui.sensors.recordings.transforms import find_pose
 from fruitgui.sensors.recordings.wire import Picture, read_picture
 from fruitgui.sensors.registration import Registration
 
@@ -114,8 +115,10 @@ def _registration(sensor: str, topics: SensorTopics, seen: Survey, color: Intrin
     """Return how depth comes into the colour picture, None where it is there already."""
     size = seen.sizes[topics.depth]
     if topics.depth_info:
-        depth = _camera(topics.depth_info, topics.depth, seen)
-        return Registration(depth, color, _pose(sensor, topics, seen))
+        depth, pose = _camera(topics.depth_info, topics.depth, seen), seen.pose_of_depth(topics)
+        if pose is None:
+            raise _unplaced(sensor, topics, seen)
+        return None if depth == color and _is_identity(pose) else Registration(depth, color, pose)
     if size == (color.width, color.height):
         return None
     try:
@@ -127,14 +130,14 @@ def _registration(sensor: str, topics: SensorTopics, seen: Survey, color: Intrin
         ) from error  # fmt: skip
 
 
-def _pose(sensor: str, topics: SensorTopics, seen: Survey) -> Pose:
-    color = seen.cameras[topics.color_info].frame_id or seen.frame_ids[topics.color]
-    depth = seen.cameras[topics.depth_info].frame_id or seen.frame_ids[topics.depth]
-    pose = find_pose(seen.transforms, source=depth, target=color)
-    if pose is None:
-        raise UnusableSensorError(
-            f"Depth of sensor {sensor} is in a camera of its own ({depth!r}), and /tf_static does not say "
-            f"where that is from the colour camera ({color!r}).", "/tf_static",
-            "Record /tf_static too, or record depth registered to colour.",
-        )  # fmt: skip
-    return pose
+def _is_identity(pose: Pose) -> bool:
+    return bool(np.allclose(pose.matrix, np.eye(4), atol=1e-6))
+
+
+def _unplaced(sensor: str, topics: SensorTopics, seen: Survey) -> UnusableSensorError:
+    depth, color = seen.frames_of(topics)
+    return UnusableSensorError(
+        f"Depth of sensor {sensor} is in a camera of its own ({depth!r}), and /tf_static does not say "
+        f"where that is from the colour camera ({color!r}).", "/tf_static",
+        "Record /tf_static too, or record depth registered to colour.",
+    )  # fmt: skip

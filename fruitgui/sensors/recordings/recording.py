@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Generator, Iterator, Mapping
 from pathlib import Path
 
 from fruitgui.errors import InputError
 from fruitgui.frame import Frame
+from fruitgui.sensors.ahead import ReadAhead
 from fruitgui.sensors.depth_correction import DepthCorrection
 from fruitgui.sensors.recordings.container import open_container
 from fruitgui.sensors.recordings.decoding import Decoder, UnusableSensorError, decoder_of
@@ -62,7 +63,8 @@ class Recording:
         *,
         clock_offsets: Mapping[str, float] | None = None,
         corrections: Mapping[str, DepthCorrection] | None = None,
-    ) -> Iterator[tuple[float, Frame]]:
+        ahead: int = 0,
+    ) -> Generator[tuple[float, Frame], None, None]:
         """Yield (time in the reference sensor's clock, frame) of all sensors in the order of that time.
 
         Each call reads the file anew; nothing is held but the last seconds.
@@ -72,17 +74,28 @@ class Recording:
         Args:
             clock_offsets: seconds added to a sensor's stamps; None keeps those given on opening.
             corrections: of each sensor's depth, applied once, here.
+            ahead: how many frames a thread of its own decodes ahead; 0 for none. Close the generator, or read to
+                the end, to end the thread.
 
         Raises:
             InputError: at the end, where not one frame could be read.
         """
+        frames = self._frames(clock_offsets, corrections or {})
+        if not ahead:
+            yield from frames
+            return
+        with ReadAhead(frames, ahead) as read_ahead:
+            yield from read_ahead
+
+    def _frames(
+        self, clock_offsets: Mapping[str, float] | None, corrections: Mapping[str, DepthCorrection]
+    ) -> Generator[tuple[float, Frame], None, None]:
         offsets_s = self._clock_offsets_s if clock_offsets is None else clock_offsets
         merge = Merge({sensor: round(seconds * 1e9) for sensor, seconds in offsets_s.items()})
         self.tally = tally = Tally()
         for sensor, pair in self._pairs(merge, tally):
-            correction = None if corrections is None else corrections.get(sensor)
             try:
-                frame = self._decoders[sensor].decode(pair, tally.frames.get(sensor, 0), correction)
+                frame = self._decoders[sensor].decode(pair, tally.frames.get(sensor, 0), corrections.get(sensor))
             except MalformedError as error:
                 tally.undecodable(sensor, str(error))
                 continue

@@ -7,6 +7,7 @@ import statistics
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
+from fruitgui.geometry.pose import Pose
 from fruitgui.sensors.recordings.pictures import picture_size
 from fruitgui.sensors.recordings.raw import Container, MalformedError, RawMessage
 from fruitgui.sensors.recordings.topics import (
@@ -17,6 +18,7 @@ from fruitgui.sensors.recordings.topics import (
     SensorTopics,
     find_sensors,
 )
+from fruitgui.sensors.recordings.transforms import find_pose
 from fruitgui.sensors.recordings.wire import (
     CameraInfo,
     Picture,
@@ -59,6 +61,19 @@ class Survey:
         stamps = sorted(set(self.stamps_ns.get(topic, ())))
         gaps = [after - before for before, after in itertools.pairwise(stamps)]
         return 1e9 / statistics.median(gaps) if gaps else 0.0
+
+    def pose_of_depth(self, topics: SensorTopics) -> Pose | None:
+        """Return the pose from the depth camera into the colour camera, None where the recording does not say it."""
+        depth, color = self.frames_of(topics)
+        return find_pose(self.transforms, source=depth, target=color)
+
+    def frames_of(self, topics: SensorTopics) -> tuple[str, str]:
+        """Return the names of the frames of reference of the depth camera and the colour camera."""
+        depth, color = self.cameras.get(topics.depth_info), self.cameras.get(topics.color_info)
+        return (
+            (depth and depth.frame_id) or self.frame_ids.get(topics.depth, ""),
+            (color and color.frame_id) or self.frame_ids.get(topics.color, ""),
+        )
 
 
 def survey(container: Container, named: Mapping[str, SensorTopics], only: Collection[str]) -> Survey:
@@ -118,4 +133,4 @@ def _sensor_complete(seen: Survey, topics: SensorTopics) -> bool:
         return True
     pictures = topics.color in seen.sizes and len(seen.stamps_ns.get(topics.depth, ())) >= _ENOUGH_STAMPS
     cameras = topics.color_info in seen.cameras and (not topics.depth_info or topics.depth_info in seen.cameras)
-    return pictures and cameras and (not topics.depth_info or bool(seen.transforms))
+    return pictures and cameras and (not topics.depth_info or seen.pose_of_depth(topics) is not None)

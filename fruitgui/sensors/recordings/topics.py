@@ -13,6 +13,7 @@ CAMERA_INFO_TYPE = "sensor_msgs/CameraInfo"
 TRANSFORMS_TYPE = "tf2_msgs/TFMessage"
 TRANSFORMS_TOPICS = frozenset({"/tf_static"})
 
+_WORDS_FOR_REGISTERED = ("registered", "aligned")
 _PACKINGS = ("", "/compressed", "/compressedDepth")
 _OWN_TOPIC = re.compile(r"/([^/]+)/(rgb|depth|depth_registered)/(image_raw|camera_info)(/compressed(?:Depth)?)?")
 _SENSOR_ID = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
@@ -44,8 +45,10 @@ class SensorTopics:
 def parse_topics(options: Iterable[str]) -> dict[str, SensorTopics]:
     """Read `--topics S:rgb=/…,info=/…,depth=/…[,depth_info=/…]` options.
 
-    Parts that are left out keep the names of the product's own recordings.
-    `depth_info` says that depth is in a camera of its own.
+    Parts that are left out keep the names of the product's own recordings; the
+    camera_info of a picture is looked for beside it. Depth is in a camera of its
+    own if `depth_info` is given, or if a camera_info other than the colour
+    camera's stands beside it.
 
     Raises:
         InputError: an option that cannot be understood.
@@ -117,7 +120,14 @@ def _with_names(named: SensorTopics, own: SensorTopics, types: Mapping[str, str]
     color_info = named.color_info or (_beside(named.color) if named.color else own.color_info)
     if not depth:
         return SensorTopics(color, color_info, own.depth, named.depth_info or own.depth_info)
-    return SensorTopics(color, color_info, depth, named.depth_info)
+    return SensorTopics(color, color_info, depth, named.depth_info or _info_of_depth(depth, color_info, types))
+
+
+def _info_of_depth(depth: str, color_info: str, types: Mapping[str, str]) -> str:
+    """Return the camera_info beside a depth topic that a person named; empty where it has none of its own."""
+    info = _beside(depth)
+    registered = any(word in depth for word in _WORDS_FOR_REGISTERED)
+    return info if types.get(info) == CAMERA_INFO_TYPE and info != color_info and not registered else ""
 
 
 def _beside(topic: str) -> str:
