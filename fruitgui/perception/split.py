@@ -23,8 +23,11 @@ from fruitgui.perception.segment import MOST_GROUPS, Groups
 from fruitgui.perception.settings import PerceptionSettings
 
 
-CONVEX = 0.92
-"""Outlines that fill this part of their convex hull may be of one hollow thing."""
+CONVEX = 0.945
+"""An outline that fills this part of its convex hull has no notch where two fruit could meet …"""
+
+CONVEX_PART = 0.83
+"""… and is cut only if every part fills this part of its own: bowls and holes of missing readings leave crescents."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,23 +68,28 @@ def with_parts(groups: Groups, cuts: dict[int, U8], least_px: float) -> Parts:
         cuts: for a group, its parts: uint8 over the group's bounding box, 1 … K on the group's pixels.
         least_px: parts with fewer pixels are dropped from the list.
     """
-    labels = groups.labels.copy()
-    contours, origin, shared = [], [], []
+    found: list[tuple[int, bool, Contour]] = []
     for number, contour in enumerate(groups.contours):
-        if number not in cuts:
-            contours.append(contour)
-            origin.append(number)
-            shared.append(False)
-            continue
-        for part in _part_contours(contour, cuts[number], least_px):
-            contours.append(part)
-            origin.append(number)
-            shared.append(True)
-    contours, origin, shared = contours[:MOST_GROUPS], origin[:MOST_GROUPS], shared[:MOST_GROUPS]
-    labels[:] = 0
-    for number, contour in enumerate(contours):
-        cv2.drawContours(labels, [contour], 0, number + 1, cv2.FILLED)
-    return Parts(labels, tuple(contours), np.array(origin, dtype=np.intp), np.array(shared, dtype=bool))
+        parts = _part_contours(contour, cuts[number], least_px) if number in cuts else []
+        if len(parts) > 1 and not _leaves_crescents(contour, parts):
+            found.extend((number, True, part) for part in parts)
+        else:
+            found.append((number, False, contour))
+    labels = np.zeros_like(groups.labels)
+    for place, (_, _, contour) in enumerate(found[:MOST_GROUPS]):
+        cv2.drawContours(labels, [contour], 0, place + 1, cv2.FILLED)
+    origin, shared, contours = zip(*found[:MOST_GROUPS], strict=True)
+    return Parts(labels, contours, np.array(origin, dtype=np.intp), np.array(shared, dtype=bool))
+
+
+def solidity(contour: Contour) -> float:
+    """Return the area of an outline as a part of its convex hull's."""
+    return float(cv2.contourArea(contour) / max(cv2.contourArea(cv2.convexHull(contour)), 1.0))
+
+
+def _leaves_crescents(group: Contour, parts: list[Contour]) -> bool:
+    """Tell whether a cut makes something less convex out of something convex."""
+    return solidity(group) > CONVEX and min(solidity(part) for part in parts) < CONVEX_PART
 
 
 def _part_contours(group: np.ndarray, parts: U8, least_px: float) -> list[np.ndarray]:
@@ -128,44 +136,27 @@ class HeightSplitter:
         clusters = self._clusters(relief, wide_px, tops)
         cuts = {}
         for group in _with_several(tops, clusters):
-            patch = self._patch(groups.contours[group], group, labels, relief, wide_px)
+            patch = self._patch(groups.contours[group], group, labels, relief)
             mine = tops.group == group
-            cut = self._cut(patch, tops.place[mine] - patch.corner, clusters[mine])
-            if cut is not None:
-                cuts[group] = self._refined(cut, patch, groups, group)
+            numbers = np.unique(clusters[mine], return_inverse=True)[1] + 1
+            parts = _basins(patch.ground, tops.place[mine] - patch.corner, numbers.astype(np.uint8))
+            cuts[group] = self._refined(parts, patch, groups, group)
         return with_parts(groups, cuts, self._least_px) if cuts else unsplit(groups)
 
-    def _patch(self, contour: Contour, group: int, labels: U8, relief: F32, wide_px: F32) -> Patch:
+    def _patch(self, contour: Contour, group: int, labels: U8, relief: F32) -> Patch:
         """Return the coarse maps of one group."""
         left, top, width, height = cv2.boundingRect(contour)
         s = self._scale
         rows, columns = slice(top // s, (top + height - 1) // s + 1), slice(left // s, (left + width - 1) // s + 1)
         mine = labels[rows, columns] == group + 1
         ground = np.where(mine, relief[rows, columns], np.float32(-1.0))
-        convex = cv2.contourArea(contour) > CONVEX * cv2.contourArea(cv2.convexHull(contour))
-        return Patch(
-            np.array([rows.start, columns.start]), (left, top, width, height), mine, ground, wide_px[rows, columns], convex
-        )
-
-    def _cut(self, patch: Patch, place: Ints, cluster: Ints) -> U8 | None:
-        """Return the parts (1 … K) of one group on the coarse grid, None if it is one fruit after all."""
-        if patch.convex:
-            ground = pits_filled(patch.ground)
-            tops = find_tops(ground, patch.wide_px, patch.mine.astype(np.uint8), self._window)
-            place, cluster = tops.place, self._clusters(ground, patch.wide_px, tops)
-        else:
-            ground = patch.ground
-        numbers = np.unique(cluster, return_inverse=True)[1] + 1
-        if numbers.max(initial=1) < 2:
-            return None
-        parts = _basins(ground, place, numbers.astype(np.uint8))
-        parts[~patch.mine] = 0
-        return parts
+        return Patch(np.array([rows.start, columns.start]), (left, top, width, height), mine, ground)
 
     def _refined(self, parts: U8, patch: Patch, groups: Groups, group: int) -> U8:
         """Return the parts over the group's bounding box in the crop's own pixels."""
         left, top, width, height = patch.box
         s = self._scale
+        parts = np.where(patch.mine, parts, 0).astype(np.uint8)
         grown = np.where(parts == 0, cv2.dilate(parts, np.ones((5, 5), np.uint8)), parts)
         fine = np.repeat(np.repeat(grown, s, axis=0), s, axis=1)
         row, column = top - int(patch.corner[0]) * s, left - int(patch.corner[1]) * s
@@ -238,16 +229,12 @@ class Patch:
         box: left, top, width, height in the crop's own pixels.
         mine: (h, w) whether a pixel belongs to the group.
         ground: (h, w) heights, −1 outside the group.
-        wide_px: (h, w) distance from the outline.
-        convex: the group's outline has no notch.
     """
 
     corner: Ints
     box: tuple[int, int, int, int]
     mine: Bools
     ground: F32
-    wide_px: F32
-    convex: bool
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -272,25 +259,6 @@ def _with_several(tops: Tops, clusters: Ints) -> list[int]:
     pairs = np.unique(tops.group * len(clusters) + clusters)
     groups, counts = np.unique(pairs // max(len(clusters), 1), return_counts=True)
     return [int(group) for group in groups[counts > 1]]
-
-
-def pits_filled(ground: F32) -> F32:
-    """Return a height map (h, w) in which no hollow is deeper than the lowest way out of it.
-
-    Grey-scale reconstruction by erosion (Vincent 1993). A bowl, the dimple of an
-    apple and a hole of missing readings are such hollows; the valley between two
-    touching fruit is open at both ends.
-    """
-    level = np.full((ground.shape[0] + 2, ground.shape[1] + 2), np.float32(9.0))
-    level[[0, -1], :] = level[:, [0, -1]] = -1.0
-    floor = np.pad(ground, 1, constant_values=-1.0)
-    kernel = np.ones((3, 3), np.uint8)
-    for _ in range(sum(ground.shape)):
-        lower = cv2.max(cv2.erode(level, kernel), floor)
-        if np.array_equal(lower, level):
-            break
-        level = lower
-    return np.ascontiguousarray(level[1:-1, 1:-1])
 
 
 def find_tops(relief: F32, wide_px: F32, labels: U8, window: U8, most: int = 400) -> Tops:
