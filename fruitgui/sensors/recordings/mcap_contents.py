@@ -61,7 +61,8 @@ def _read(summary: bytes) -> Contents | None:
     for opcode, record in walk(memoryview(summary)):
         fields = Fields(record)
         if opcode == SCHEMA:
-            schemas[fields.number("H")] = plain_type(fields.text())
+            schema = fields.number("H")
+            schemas[schema] = plain_type(fields.text())
         elif opcode == CHANNEL:
             channel, schema = fields.number("H"), fields.number("H")
             contents.channels[channel] = (fields.text(), schemas.get(schema, ""), fields.text())
