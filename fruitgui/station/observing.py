@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from fruitgui.frame import Frame
 from fruitgui.geometry.rig import Rig
 from fruitgui.perception.perceiver import Perceiver
 from fruitgui.perception.view import Observation
@@ -15,6 +16,9 @@ from fruitgui.station.matching import match_sensors
 from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station
 from fruitgui.station.timing import Stopwatch
+
+FRAMES_AHEAD = 6
+"""Frames that are decoded ahead while others are perceived; each holds 1.5 MB."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,13 +68,25 @@ class Watching:
             sensor: Perceiver(name, cameras[name], self.rig.mounts[name].surface) for sensor, name in self._names()
         }
 
-    def seen(self, watch: Stopwatch, cancelled: Cancelled = never_cancelled) -> Iterator[Seen]:
+    def seen(self, watch: Stopwatch, cancelled: Cancelled = never_cancelled) -> Generator[Seen, None, None]:
         """Yield every frame in order of the reference clock; each call begins at the beginning.
+
+        Frames are decoded ahead by a thread of their own: close the generator, or read to the end, to end it.
 
         Raises:
             InputError: not one frame can be read.
         """
-        frames = self._recording.frames(clock_offsets=self._offsets_s, corrections=self._corrections)
+        frames = self._recording.frames(
+            clock_offsets=self._offsets_s, corrections=self._corrections, ahead=FRAMES_AHEAD
+        )
+        try:
+            yield from self._perceived(frames, watch, cancelled)
+        finally:
+            frames.close()
+
+    def _perceived(
+        self, frames: Iterator[tuple[float, Frame]], watch: Stopwatch, cancelled: Cancelled
+    ) -> Iterator[Seen]:
         while True:
             stop_if(cancelled)
             began_s = time.perf_counter()

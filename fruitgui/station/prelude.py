@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,13 +31,13 @@ class Prelude:
 
     Attributes:
         watching: the recording, clocks put right.
-        seen: all of its frames, the ones looked at included.
+        seen: all of its frames, the ones looked at included; to be closed.
         belt: its motion, where a person gave it; None where the tracks are to tell.
         warnings: what a person should know.
     """
 
     watching: Watching
-    seen: Iterator[Seen]
+    seen: Generator[Seen, None, None]
     belt: BeltMotion | None
     warnings: tuple[str, ...]
 
@@ -62,9 +61,17 @@ def look_ahead(
     offsets_s = _clock_offsets(watching, observations, motion)
     belt = _known_belt(station, belt_speed_m_s, motion)
     if not offsets_s:
-        return Prelude(watching, itertools.chain(held, seen), belt, ())
+        return Prelude(watching, _again(held, seen), belt, ())
+    seen.close()
     watching.shift_clocks(offsets_s)
     return Prelude(watching, watching.seen(watch, cancelled), belt, tuple(_told(offsets_s)))
+
+
+def _again(held: list[Seen], seen: Generator[Seen, None, None]) -> Generator[Seen, None, None]:
+    """Yield what was held back, then the rest; what was given out is not held any longer."""
+    while held:
+        yield held.pop(0)
+    yield from seen
 
 
 def _hold_back(seen: Iterator[Seen]) -> list[Seen]:

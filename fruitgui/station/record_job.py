@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,7 +10,8 @@ from typing import Any
 
 from fruitgui.errors import InputError
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
-from fruitgui.sensors.recordings import RecordingWriter
+from fruitgui.sensors.recordings import RecordingWriter, open_recording
+from fruitgui.sensors.recordings.recovery import recover
 from fruitgui.simulation.simulated import sensor_info
 from fruitgui.simulation.simulation import Simulation
 
@@ -121,4 +123,12 @@ def recover_recording(cut: Path, out: Path, progress: Progress = no_progress) ->
         WorldError: the file cannot be written.
     """
     progress(0.0, f"Reading {cut.name}")
-    raise NotImplementedError
+    saved = recover(cut, out)
+    warnings = [f"{saved.bytes_unread} bytes at the end of {cut} could not be used."] if saved.bytes_unread else []
+    warnings += [f"{count} damaged parts were left out: {cause}." for cause, count in saved.damaged.items()]
+    frames: Counter[str] = Counter()
+    times_s: list[float] = []
+    for time_s, frame in open_recording(out).frames():
+        frames[frame.sensor] += 1
+        times_s.append(time_s)
+    return Recorded(dict(frames), max(times_s, default=0.0) - min(times_s, default=0.0), tuple(warnings))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import time
 from collections import Counter
 from dataclasses import dataclass
@@ -65,7 +66,8 @@ def run_recording(
     watch = Stopwatch()
     prelude = look_ahead(Watching(source, station), station, options.belt_speed_m_s, watch, cancelled)
     run = _Run(prelude, model, _paper_volume() if options.paper else None, watch)
-    run.go(progress)
+    with contextlib.closing(prelude.seen):
+        run.go(progress)
     return run.report(station)
 
 

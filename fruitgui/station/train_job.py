@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -203,9 +204,10 @@ class _Lesson:
         self._tracks = []
         self._pointer = Pointer(labels, self._rig)
         tracker = Tracker(self._rig, prelude.belt)
-        for seen in prelude.seen:
-            self._pointer.look(seen)
-            self._tracks += tracker.update(seen.observation)
+        with contextlib.closing(prelude.seen) as frames:
+            for seen in frames:
+                self._pointer.look(seen)
+                self._tracks += tracker.update(seen.observation)
         self._tracks += tracker.finish()
         self._pointed = self._pointer.pointed()
         self._labels = assign(self._pointed, self._tracks)
