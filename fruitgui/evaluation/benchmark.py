@@ -1,0 +1,130 @@
+"""`python -m fruitgui.evaluation.benchmark`: how fast, beside named baselines in the same run.
+
+Figures are medians; absolute times say as much about the machine as about the
+program, ratios say more.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+
+from fruitgui.evaluation.stage import Act, record_acts
+
+STARTS = 5
+
+
+def main() -> int:
+    """Print every figure as it is measured."""
+    for figures in (starting, perceiving, simulating, calibrating, running):
+        for line in figures():
+            sys.stdout.write(line + "\n")
+            sys.stdout.flush()
+    return 0
+
+
+def starting() -> Iterator[str]:
+    """Time the start of the package and of its help, against Python's own start."""
+    bare_s = _median_s(lambda: _python("-c", "pass"))
+    import_s = _median_s(lambda: _python("-c", "import fruitgui"))
+    help_s = _median_s(lambda: _python("-m", "fruitgui", "--help"))
+    yield f"import fruitgui: {import_s:.3f} s, fruitgui --help: {help_s:.3f} s (Python alone: {bare_s:.3f} s)"
+
+
+def _python(*arguments: str) -> None:
+    subprocess.run([sys.executable, *arguments], check=True, stdout=subprocess.DEVNULL)  # noqa: S603 - ourselves
+
+
+def _median_s(job: Callable[[], None]) -> float:
+    times = []
+    for _ in range(STARTS):
+        began_s = time.perf_counter()
+        job()
+        times.append(time.perf_counter() - began_s)
+    return float(np.median(times))
+
+
+def perceiving() -> Iterator[str]:
+    """Time one frame with 28 fruit, against Open3D's plane segmentation and clustering."""
+    from fruitgui.evaluation.frame_benchmark import frame_figures
+
+    yield from frame_figures()
+
+
+def simulating() -> Iterator[str]:
+    """Time rendering with 20 fruit in view."""
+    from fruitgui.simulation.benchmark import render_speed
+
+    speed = render_speed()
+    yield (
+        f"simulated Kinect frames: {speed.frames_per_cpu_s:.1f} per second of one core, "
+        f"{speed.fruit_in_view:.0f} things in view"
+    )
+
+
+def calibrating() -> Iterator[str]:
+    """Time self-calibration of two and of eight sensors."""
+    from fruitgui.calibration.calibrate import calibrate
+    from fruitgui.calibration.result import Calibration
+    from fruitgui.simulation import scenes
+
+    for layout, sensors in (("opposed", 2), ("ring", 8)):
+        simulation = scenes.still_scene(3, layout=layout, sensors=sensors, fruit=20)
+        stills = {
+            sensor: [frame for frame in simulation.frames() if frame.sensor == sensor] for sensor in simulation.sensors
+        }
+        began_s = time.perf_counter()
+        result = calibrate(stills)
+        took_s = time.perf_counter() - began_s
+        word = "accepted" if isinstance(result, Calibration) else "refused"
+        yield f"calibrate {sensors} sensors: {took_s:.1f} s ({word})"
+
+
+def running() -> Iterator[str]:
+    """Time `run` on a two-sensor recording, and hold the memory of a long one against a short one."""
+    with tempfile.TemporaryDirectory(prefix="fruitgui-benchmark-") as name:
+        folder = Path(name)
+        short = Act("short", 11, 10, 20, speed_m_s=0.1)
+        long = Act("long", 12, 10, 60, speed_m_s=0.1)
+        record_acts((short, long), folder)
+        peaks_mb = {}
+        for act in (short, long):
+            report, peaks_mb[act.name] = _run(act, folder)
+            yield report
+        few_mb, many_mb = peaks_mb["short"], peaks_mb["long"]
+        yield f"peak memory: {few_mb:.0f} MB for {short.fruit} fruit, {many_mb:.0f} MB for {long.fruit}"
+
+
+def _run(act: Act, folder: Path) -> tuple[str, float]:
+    """Run an act in a process of its own; return its figures and its peak memory, MB."""
+    from fruitgui.station.station import Station, StationSensor
+    from fruitgui.station.station_file import write_station
+
+    station = folder / f"{act.name}.json"
+    rig = act.simulation.rig()
+    write_station(station, Station(rig.reference, {
+        sensor: StationSensor(act.simulation.device(sensor).serial, mount.pose, mount.surface)
+        for sensor, mount in rig.mounts.items()
+    }))  # fmt: skip
+    printed = folder / f"{act.name}.txt"
+    with printed.open("w", encoding="utf-8") as out:
+        process = subprocess.Popen(  # noqa: S603 - ourselves
+            [sys.executable, "-m", "fruitgui", "run", str(act.path(folder)), "--station", str(station),
+             "--report", str(folder / f"{act.name}-report.json")],
+            stdout=out,
+        )  # fmt: skip
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    line = next(line for line in printed.read_text(encoding="utf-8").splitlines() if "frames in" in line)
+    return f"run, {act.fruit} fruit: {line}", usage.ru_maxrss / 1024
+
+
+if __name__ == "__main__":
+    sys.exit(main())
