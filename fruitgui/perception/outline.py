@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from fruitgui.frame import F64, Ints
+from fruitgui.frame import F64, Bools, Ints
 
 Contour = NDArray[np.int32]
 """An outline as OpenCV gives it: (K, 1, 2), closed, u and v."""
@@ -36,7 +36,7 @@ class Outlines:
         low = np.minimum.reduceat(self.places, self.starts, axis=0)
         return np.hstack([low, np.maximum.reduceat(self.places, self.starts, axis=0)])
 
-    def sums(self, values: F64) -> F64:
+    def sums(self, values: F64 | Bools) -> F64:
         """Return the sum of values (M,) over each outline, (N,)."""
         return np.asarray(np.bincount(self.owner, weights=values, minlength=len(self.counts)))
 
@@ -107,3 +107,13 @@ def _errors(outlines: Outlines, centre: F64, axes: F64, angle: F64) -> tuple[F64
     tip = (np.abs(along) > 0.92 * distance).astype(np.float64)
     error = np.sqrt(outlines.sums(deviation * deviation) / outlines.counts)
     return error, outlines.sums(deviation * tip) / np.maximum(outlines.sums(tip), 1.0)
+
+
+def ellipse_error(contour: Contour) -> float:
+    """Return the error of the ellipse fitted to one outline, see `Ellipses.error`."""
+    return float(fit_ellipses(joined((contour,))).error[0])
+
+
+def solidity(contour: Contour) -> float:
+    """Return the area of an outline as a part of its convex hull's."""
+    return float(cv2.contourArea(contour) / max(cv2.contourArea(cv2.convexHull(contour)), 1.0))

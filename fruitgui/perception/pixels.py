@@ -108,9 +108,9 @@ def gather_pixels(labels: U8, solid: U8, edge_px: F32, depth_mm: U16, limits: De
     down, across = _thinning(int(np.count_nonzero(labels)))
     grid = labels[::down, ::across]
     found = np.flatnonzero(grid != 0)
-    owner = grid.reshape(-1).take(found)
-    order = np.argsort(owner, kind="stable")
-    found, owner = found.take(order), owner.take(order).astype(np.intp) - 1
+    label = grid.reshape(-1).take(found)
+    order = np.argsort(label, kind="stable")
+    found, owner = found.take(order), label.take(order).astype(np.intp) - 1
     index = limits.thinned(down, across).take(found)
     counts = np.bincount(owner, minlength=fruit)
     valid = (solid.reshape(-1).take(index) != 0).astype(np.float32)

@@ -9,6 +9,7 @@ import numpy as np
 
 from fruitgui.frame import U8, U16
 from fruitgui.perception.limits import DepthLimits
+from fruitgui.perception.outline import Contour
 from fruitgui.perception.settings import PerceptionSettings
 
 MOST_GROUPS = 254
@@ -27,7 +28,7 @@ class Groups:
 
     labels: U8
     solid: U8
-    contours: tuple[np.ndarray, ...]
+    contours: tuple[Contour, ...]
 
 
 class Segmenter:
@@ -61,7 +62,7 @@ class Segmenter:
         missing = cv2.compare(depth, 0, cv2.CMP_EQ)
         return np.asarray(cv2.bitwise_or(solid, cv2.bitwise_and(closed, missing)))
 
-    def _large_enough(self, contours: tuple[np.ndarray, ...]) -> tuple[np.ndarray, ...]:
+    def _large_enough(self, contours: tuple[Contour, ...]) -> tuple[Contour, ...]:
         """Keep outlines with at least the pixels of half the smallest fruit, seen at their own distance."""
         found = []
         for contour in contours:
@@ -73,7 +74,7 @@ class Segmenter:
         found.sort(key=lambda pair: -pair[0])
         return tuple(contour for _, contour in found[:MOST_GROUPS])
 
-    def _least_area(self, contour: np.ndarray) -> float:
+    def _least_area(self, contour: Contour) -> float:
         """Return half the area of the smallest fruit in pixels where the group stands, by the belt's distance there."""
         column, row = contour[0, 0].tolist()
         z_m = self._limits.offset_m / max(self._limits.slope.item(row, column), 1e-3)

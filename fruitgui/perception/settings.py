@@ -25,6 +25,8 @@ class PerceptionSettings:
         noise_m: depth noise at 1 m, growing with the square of distance (Khoshelham & Elberink 2012).
         step_m: depth quantisation at 1 m, growing likewise (1/8 px of disparity, f ≈ 580 px, b = 75 mm).
         fattening_px: structured light widens what stands in front by up to this.
+        paper_area_m2: paper mode: groups between these areas are split.
+        paper_ellipse_error: paper mode: rms distance from the fitted ellipse, as a part of its radius, that fits.
     """
 
     smallest_m: float = 0.025
@@ -37,6 +39,8 @@ class PerceptionSettings:
     noise_m: float = 1.4e-3
     step_m: float = 2.9e-3
     fattening_px: float = 2.0
+    paper_area_m2: tuple[float, float] = (0.003, 0.04)
+    paper_ellipse_error: float = 0.07
 
     def noise_at_m(self, z_m: F64) -> F64:
         """Return the standard deviation of one depth reading at distance z, shape of `z_m`."""

@@ -18,10 +18,9 @@ import numpy as np
 
 from fruitgui.frame import F32, F64, U8, U16, Bools, Ints
 from fruitgui.perception.limits import DepthLimits
-from fruitgui.perception.outline import Contour
+from fruitgui.perception.outline import Contour, solidity
 from fruitgui.perception.segment import MOST_GROUPS, Groups
 from fruitgui.perception.settings import PerceptionSettings
-
 
 CONVEX = 0.945
 """An outline that fills this part of its convex hull has no notch where two fruit could meet …"""
@@ -42,7 +41,7 @@ class Parts:
     """
 
     labels: U8
-    contours: tuple[np.ndarray, ...]
+    contours: tuple[Contour, ...]
     group: Ints
     shared: Bools
 
@@ -60,49 +59,43 @@ def unsplit(groups: Groups) -> Parts:
     return Parts(groups.labels, groups.contours, np.arange(count), np.zeros(count, bool))
 
 
-def with_parts(groups: Groups, cuts: dict[int, U8], least_px: float) -> Parts:
-    """Return the fruit when some groups are cut.
-
-    Args:
-        groups: as segmented.
-        cuts: for a group, its parts: uint8 over the group's bounding box, 1 … K on the group's pixels.
-        least_px: parts with fewer pixels are dropped from the list.
-    """
+def with_parts(groups: Groups, cuts: dict[int, list[Contour]]) -> Parts:
+    """Return the fruit when some groups are replaced by parts; one without parts is dropped."""
     found: list[tuple[int, bool, Contour]] = []
     for number, contour in enumerate(groups.contours):
-        parts = _part_contours(contour, cuts[number], least_px) if number in cuts else []
-        if len(parts) > 1 and not _leaves_crescents(contour, parts):
-            found.extend((number, True, part) for part in parts)
-        else:
-            found.append((number, False, contour))
+        found.extend((number, number in cuts, part) for part in cuts.get(number, [contour]))
+    found = found[:MOST_GROUPS]
     labels = np.zeros_like(groups.labels)
-    for place, (_, _, contour) in enumerate(found[:MOST_GROUPS]):
+    for place, (_, _, contour) in enumerate(found):
         cv2.drawContours(labels, [contour], 0, place + 1, cv2.FILLED)
-    origin, shared, contours = zip(*found[:MOST_GROUPS], strict=True)
-    return Parts(labels, contours, np.array(origin, dtype=np.intp), np.array(shared, dtype=bool))
+    contours = tuple(contour for _, _, contour in found)
+    origin = np.array([number for number, _, _ in found], dtype=np.intp)
+    return Parts(labels, contours, origin, np.array([shared for _, shared, _ in found], dtype=bool))
 
 
-def solidity(contour: Contour) -> float:
-    """Return the area of an outline as a part of its convex hull's."""
-    return float(cv2.contourArea(contour) / max(cv2.contourArea(cv2.convexHull(contour)), 1.0))
+def part_contours(parts: U8, corner: tuple[int, int], least_px: float) -> list[Contour]:
+    """Return the outline of the largest piece of each part.
 
-
-def _leaves_crescents(group: Contour, parts: list[Contour]) -> bool:
-    """Tell whether a cut makes something less convex out of something convex."""
-    return solidity(group) > CONVEX and min(solidity(part) for part in parts) < CONVEX_PART
-
-
-def _part_contours(group: np.ndarray, parts: U8, least_px: float) -> list[np.ndarray]:
-    left, top = group[:, 0, :].min(axis=0)
+    Args:
+        parts: (h, w) uint8, 1 … K on the pixels of the parts.
+        corner: column and row of the crop where `parts` begins.
+        least_px: smaller parts are left out.
+    """
     found = []
     for part in range(1, int(parts.max()) + 1):
-        outlines, _ = cv2.findContours(
-            cv2.compare(parts, part, cv2.CMP_EQ), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE, offset=(int(left), int(top))
-        )
+        alone = cv2.compare(parts, part, cv2.CMP_EQ)
+        outlines, _ = cv2.findContours(alone, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE, offset=corner)
         largest = max(outlines, key=cv2.contourArea, default=None)
         if largest is not None and len(largest) >= 8 and cv2.contourArea(largest) >= least_px:
             found.append(largest)
     return found
+
+
+def _is_sound(group: Contour, parts: list[Contour]) -> bool:
+    """Tell whether a cut leaves several parts, and nothing convex is cut into something that is not."""
+    if len(parts) < 2:
+        return False
+    return solidity(group) <= CONVEX or min(solidity(part) for part in parts) >= CONVEX_PART
 
 
 class HeightSplitter:
@@ -134,14 +127,17 @@ class HeightSplitter:
         wide_px = cv2.distanceTransform(cv2.compare(labels, 0, cv2.CMP_GT), cv2.DIST_L2, 3)
         tops = find_tops(relief, wide_px, labels, self._window)
         clusters = self._clusters(relief, wide_px, tops)
-        cuts = {}
+        cuts: dict[int, list[Contour]] = {}
         for group in _with_several(tops, clusters):
             patch = self._patch(groups.contours[group], group, labels, relief)
             mine = tops.group == group
             numbers = np.unique(clusters[mine], return_inverse=True)[1] + 1
             parts = _basins(patch.ground, tops.place[mine] - patch.corner, numbers.astype(np.uint8))
-            cuts[group] = self._refined(parts, patch, groups, group)
-        return with_parts(groups, cuts, self._least_px) if cuts else unsplit(groups)
+            fine = self._refined(parts, patch, groups, group)
+            pieces = part_contours(fine, patch.box[:2], self._least_px)
+            if _is_sound(groups.contours[group], pieces):
+                cuts[group] = pieces
+        return with_parts(groups, cuts) if cuts else unsplit(groups)
 
     def _patch(self, contour: Contour, group: int, labels: U8, relief: F32) -> Patch:
         """Return the coarse maps of one group."""

@@ -48,9 +48,8 @@ def _at_the_margin(places: NDArray[np.int32], depth_mm: U16, limits: DepthLimits
     top = _empty_run(depth_mm[:down], axis=0)
     bottom = _empty_run(depth_mm[: height - down - 1 : -1], axis=0)
     near = 2
-    return np.asarray(
-        (u <= left[v] + near) | (u >= width - 1 - right[v] - near) | (v <= top[u] + near) | (v >= height - 1 - bottom[u] - near)
-    )
+    sideways = (u <= left[v] + near) | (u >= width - 1 - right[v] - near)
+    return np.asarray(sideways | (v <= top[u] + near) | (v >= height - 1 - bottom[u] - near))
 
 
 def _empty_run(strip: U16, axis: int) -> Ints:
@@ -77,8 +76,9 @@ def _hidden(outlines: Outlines, labels: U8, depth: U16, jump_m: float) -> Bools:
         return hidden
     (u, v), mine = outlines.places[near].T, outlines.owner[near] + 1
     here = depth[v, u].astype(np.float32) - np.float32(1e3 * jump_m)
-    for du, dv in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-        beside = np.clip(v + dv * BESIDE_PX, 0, labels.shape[0] - 1), np.clip(u + du * BESIDE_PX, 0, labels.shape[1] - 1)
+    last_row, last_column = labels.shape[0] - 1, labels.shape[1] - 1
+    for du, dv in ((BESIDE_PX, 0), (-BESIDE_PX, 0), (0, BESIDE_PX), (0, -BESIDE_PX)):
+        beside = np.clip(v + dv, 0, last_row), np.clip(u + du, 0, last_column)
         other, beyond = labels[beside], depth[beside]
         hidden[near] |= (other > 0) & (other != mine) & (beyond > 0) & (beyond < here)
     return hidden
