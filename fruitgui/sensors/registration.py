@@ -172,11 +172,17 @@ def _goes_before(z_mm: U16, drawn_mm: U16) -> Ints:
 
 
 def _without_gaps(depth_mm: U16, along_rows: int, along_columns: int) -> U16:
-    """Fill gaps of up to so many pixels whose two ends are of one surface."""
+    """Fill gaps of up to so many pixels whose two ends are of one surface.
+
+    The grid of readings is bent, so its rows step from one row of the picture to
+    the next; what is open at such a step is closed along the rows once the
+    columns beside it are.
+    """
     if along_rows:
         depth_mm = _fill(depth_mm, along_rows)
     if along_columns:
         depth_mm = np.ascontiguousarray(_fill(np.ascontiguousarray(depth_mm.T), along_columns).T)
+        depth_mm = _fill(depth_mm, max(along_rows, 1))
     return depth_mm
 
 
@@ -193,5 +199,5 @@ def _fill(depth_mm: U16, widest: int) -> U16:
             open_here = np.flatnonzero(one_surface & (middle - np.uint16(1) >= far))
             rows, columns = np.divmod(open_here, middle.shape[1])
             first, last = left[rows, columns].astype(np.int32), right[rows, columns].astype(np.int32)
-            middle[rows, columns] = (first + (last - first) * step // (gap + 1)).astype(np.uint16)
+            middle[rows, columns] = (first + (2 * (last - first) * step + gap + 1) // (2 * (gap + 1))).astype(np.uint16)
     return filled
