@@ -14,18 +14,22 @@ from fruitgui.geometry.rotation import rotation_between
 from fruitgui.perception.view import FruitView
 from fruitgui.tracking.track import Sighting, Track
 
-VIEWS_IN_ALL = 56
-POINTS_IN_ALL = 1350
-POINTS_PER_VIEW = (18, 90)
+VIEWS_IN_ALL = 48
+POINTS_IN_ALL = 1150
+POINTS_PER_VIEW = (22, 90)
 """More points only repeat each other: neighbouring errors are correlated by the matching window."""
 
-RIM_IN_ALL = 700
+RIM_IN_ALL = 520
 RIM_PER_VIEW = (10, 36)
+RIM_INDEPENDENT = 10.0
 
 EDGE_PX = 3.0
 """Points nearer to the edge of their picture than this lie: structured light fattens edges by up to two pixels."""
 
 LEAST_POINTS = 8
+
+INDEPENDENT_VIEWS = 40.0
+"""What many views have in common (the device's own errors, ragged outlines) does not average out beyond this."""
 
 WINDOW_PX2 = 45.0
 """Pixels that share one error: the matching window of a Kinect is 9 × 9, and half its overlap still counts."""
@@ -53,7 +57,7 @@ class Evidence:
         sight: (V, M, 3) unit vectors from the sensor to the samples.
         depth_sigma_m: (V, M) standard deviation along the sight.
         pixel_m: (V, M) size of a pixel at the sample.
-        share: (V,) what one point counts, where they are closer than errors are independent.
+        share: (V, M) what one sample counts, where they are closer than errors are independent.
         time_s: (V,) since the middle of the track.
         sensor: (V,) index into `sensors`.
         sensors: ids.
@@ -88,7 +92,7 @@ class Evidence:
             self.sight[:, kept],
             self.depth_sigma_m[:, kept],
             self.pixel_m[:, kept],
-            self.share,
+            self.share[:, kept],
             self.time_s,
             self.sensor,
             self.sensors,
@@ -107,14 +111,6 @@ class _Place(NamedTuple):
     mount: Mount
 
 
-class _Packed(NamedTuple):
-    """One view's samples in its sensor's frame."""
-
-    samples_m: F64
-    used: Bools
-    share: float
-
-
 def gather(track: Track, rig: Rig) -> Evidence | None:
     """Bring the views of a track together over the belt; None where no view has enough points to use."""
     chosen = [s for s in track.sightings if s.view.sensor in rig.mounts and len(s.view.points_m) >= LEAST_POINTS]
@@ -127,28 +123,28 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
     sensor = np.array([sensors.index(s.view.sensor) for s in chosen])
     points = int(np.clip(POINTS_IN_ALL // len(chosen), *POINTS_PER_VIEW))
     rim = int(np.clip(RIM_IN_ALL // len(chosen), *RIM_PER_VIEW))
-    packed = [_pack(s.view, places[k].mount, points, rim) for s, k in zip(chosen, sensor, strict=True)]
-    optical = np.stack([p.samples_m for p in packed])
-    z = optical[..., 2]
+    samples, used = _samples(chosen, sensor, places, points, rim)
+    z = samples[..., 2]
     rotation = np.stack([p.pose.rotation for p in places])
     place = np.stack([p.pose.translation_m for p in places])[sensor]
-    directions = optical @ rotation[sensor].transpose(0, 2, 1)
+    directions = np.matmul(samples, rotation[sensor].transpose(0, 2, 1))
     focal = np.array([p.mount.intrinsics.fx for p in places])[sensor]
+    area_px = np.array([s.view.area_px for s in chosen])
     times = np.array([s.time_s for s in chosen])
     return Evidence(
         samples_m=directions + place[:, None, :],
-        used=np.stack([p.used for p in packed]),
+        used=used,
         points=points,
-        sight=directions / np.sqrt(np.einsum("vmd,vmd->vm", directions, directions))[..., None],
+        sight=directions / np.linalg.norm(directions, axis=2, keepdims=True),
         depth_sigma_m=z**2 * np.hypot(SIGMA_PER_Z2, STEP_PER_Z2 / np.sqrt(12.0)),
         pixel_m=z / focal[:, None],
-        share=np.array([p.share for p in packed]),
+        share=_share(used, points, area_px),
         time_s=times - 0.5 * (times.min() + times.max()),
         sensor=sensor,
         sensors=sensors,
         axes=rotation.transpose(0, 2, 1),
         offset_sigma_m=np.array([p.offset_sigma_m for p in places]),
-        centre_m=np.einsum("vij,vj->vi", rotation[sensor], np.stack([s.view.centre_m for s in chosen])) + place,
+        centre_m=np.matmul(rotation[sensor], np.stack([s.view.centre_m for s in chosen])[..., None])[..., 0] + place,
         height_m=float(np.median([s.view.height_m for s in chosen])),
     )
 
@@ -197,35 +193,50 @@ def _offset_sigma_m(mount: Mount, middle_m: F64) -> float:
     return float(np.sqrt(variance))
 
 
-def _pack(view: FruitView, mount: Mount, count: int, rim: int) -> _Packed:
-    """Return a view's samples: `count` points away from its edge, then `rim` on the sights along its outline."""
-    points = _inner_points(view, count)
-    used = np.zeros(count + rim, dtype=bool)
-    used[: len(points)] = True
-    samples = np.empty((count + rim, 3))
-    samples[: len(points)] = points
-    samples[len(points) :] = view.centre_m
-    outline = view.outline_px
-    if view.whole and not view.shared and len(outline) >= 2 * rim:
-        samples[count:] = _on_outline(outline, mount, rim, float(view.centre_m[2]))
-        used[count:] = True
-    return _Packed(samples, used, min(1.0, view.area_px / (WINDOW_PX2 * len(points))))
+def _samples(
+    sightings: list[Sighting], sensor: Ints, places: list[_Place], count: int, rim: int
+) -> tuple[F64, Bools]:
+    """Return (V, count + rim, 3) samples in their sensors' optical frames, and which are used.
+
+    `count` points away from the edge of each view, then `rim` on the sights
+    along its outline, where that is the fruit's own.
+    """
+    samples = np.empty((len(sightings), count + rim, 3))
+    used = np.zeros(samples.shape[:2], dtype=bool)
+    outline = np.zeros((len(sightings), rim, 2))
+    for row, sighting in enumerate(sightings):
+        view = sighting.view
+        index = _inner(view, count)
+        samples[row, : len(index)] = view.points_m[index]
+        samples[row, len(index) :] = view.centre_m
+        used[row, : len(index)] = True
+        if view.whole and not view.shared and len(view.outline_px) >= 2 * rim:
+            outline[row] = view.outline_px[_evenly(len(view.outline_px), rim)]
+            used[row, count:] = True
+    pixel = np.rint(outline).astype(np.intp)
+    for number, place in enumerate(places):
+        rows = np.flatnonzero((sensor == number) & used[:, -1])
+        camera = place.mount.intrinsics
+        u, v = np.clip(pixel[rows], 0, (camera.width - 1, camera.height - 1)).transpose(2, 0, 1)
+        depth = samples[rows, count:, 2]
+        samples[rows, count:, :2] = camera.rays()[v, u] * depth[..., None]
+    return samples, used
 
 
-def _on_outline(outline_px: F64, mount: Mount, count: int, depth_m: float) -> F64:
-    """Return points (count, 3) at a depth on the sights through an outline, spread evenly along it."""
-    index = ((np.arange(count) + 0.5) * (len(outline_px) / count)).astype(int)
-    camera = mount.intrinsics
-    u = np.clip(np.rint(outline_px[index, 0]).astype(int), 0, camera.width - 1)
-    v = np.clip(np.rint(outline_px[index, 1]).astype(int), 0, camera.height - 1)
-    rays = camera.rays()[v, u].astype(np.float64)
-    return np.column_stack([rays, np.ones(count)]) * depth_m
+def _share(used: Bools, points: int, area_px: F64) -> F64:
+    """Return what each sample (V, M) counts."""
+    share = np.ones(used.shape)
+    share[:, :points] = np.minimum(1.0, area_px / (WINDOW_PX2 * np.maximum(used[:, :points].sum(axis=1), 1)))[:, None]
+    share[:, points:] = min(1.0, RIM_INDEPENDENT / max(used.shape[1] - points, 1))
+    return np.asarray(share * min(1.0, INDEPENDENT_VIEWS / len(used)))
 
 
-def _inner_points(view: FruitView, count: int) -> F64:
-    """Return at most `count` points of a view, away from its edge as far as its size allows."""
-    inner = view.edge_px >= min(EDGE_PX, 0.45 * float(view.edge_px.max()))
-    index = np.flatnonzero(inner) if inner.sum() >= LEAST_POINTS else np.arange(len(view.points_m))
-    if len(index) > count:
-        index = index[((np.arange(count) + 0.5) * (len(index) / count)).astype(int)]
-    return view.points_m[index].astype(np.float64)
+def _evenly(length: int, count: int) -> Ints:
+    return np.asarray(((np.arange(count) + 0.5) * (length / count)).astype(np.intp))
+
+
+def _inner(view: FruitView, count: int) -> Ints:
+    """Return the indices of at most `count` points of a view, away from its edge as far as its size allows."""
+    inner = np.flatnonzero(view.edge_px >= min(EDGE_PX, 0.45 * float(view.edge_px.max())))
+    index = inner if len(inner) >= LEAST_POINTS else np.arange(len(view.points_m))
+    return index if len(index) <= count else index[_evenly(len(index), count)]

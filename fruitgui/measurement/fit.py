@@ -18,7 +18,6 @@ import numpy as np
 
 from fruitgui.frame import F64
 from fruitgui.geometry.rotation import rotation_from_vector
-from fruitgui.measurement.callipers import support_change
 from fruitgui.measurement.evidence import Evidence
 from fruitgui.measurement.prior import Prior
 from fruitgui.measurement.residuals import Residuals, residuals
@@ -66,7 +65,7 @@ class _System:
 def improve(state: State, evidence: Evidence, prior: Prior, steps: int) -> Fit:
     """Return the fit after some Gauss–Newton steps."""
     for _ in range(steps):
-        seen = residuals(state, evidence)
+        seen = residuals(state, evidence, turning=len(prior.view_information) == 6)
         system = _normal_equations(state, evidence, seen, prior)
         unknowns = -np.linalg.solve(system.H, system.b)
         state = _moved(state, evidence, unknowns, seen, system)
@@ -79,9 +78,11 @@ def _moved(state: State, evidence: Evidence, unknowns: F64, seen: Residuals, sys
     count = 6 + len(state.shape.weights)
     stretch = unknowns[:6] * min(1.0, LONGEST_STEP / max(float(np.abs(unknowns[:6]).max()), 1e-9))
     sensors = unknowns[count + 3 :].reshape(-1, PER_SENSOR)
-    local = -np.einsum("vde,ve->vd", system.inverse, system.b_view + _coupled(system, evidence, unknowns, count))
-    turn = state.turn
+    pull = system.b_view + _coupled(system, evidence, unknowns, count)
+    local = -np.matmul(system.inverse, pull[..., None])[..., 0]
+    turn, turned = state.turn, state.turned
     if local.shape[1] == 6:
+        turned = True
         turns = np.stack([rotation_from_vector(np.clip(w, -0.15, 0.15)) for w in local[:, 3:]])
         turn = np.matmul(turns, turn)
     return replace(
@@ -92,6 +93,7 @@ def _moved(state: State, evidence: Evidence, unknowns: F64, seen: Residuals, sys
         edge_px=state.edge_px + sensors[:, 3:],
         shift_m=state.shift_m + local[:, :3],
         turn=turn,
+        turned=turned,
         along_m=seen.along,
     )
 
@@ -101,7 +103,7 @@ def _coupled(system: _System, evidence: Evidence, unknowns: F64, count: int) -> 
     sensors = unknowns[count + 3 :].reshape(-1, PER_SENSOR)[evidence.sensor]
     common = np.hstack([np.broadcast_to(unknowns[:count], (len(sensors), count)), sensors])
     common[:, count : count + 3] += unknowns[count : count + 3]
-    return np.einsum("vgd,vg->vd", system.coupling, common)
+    return np.asarray(np.matmul(common[:, None, :], system.coupling)[:, 0])
 
 
 def _stretched(shape: Shape, body: F64, stretch: F64, weights: F64) -> Shape:
@@ -118,27 +120,25 @@ def _stretched(shape: Shape, body: F64, stretch: F64, weights: F64) -> Shape:
 def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: Prior) -> _System:
     """Build the equations view by view over [shape, sensor], eliminate the view's own, add up over sensors."""
     count = seen.by_shape.shape[2]
-    own = len(prior.view_information)
     J = np.concatenate([seen.by_shape, seen.by_view[..., :3], seen.by_edge], axis=2)
-    local = seen.by_view[..., :own]
+    local = seen.by_view
     weighted = J * seen.weight[..., None]
+    pull = (seen.weight * seen.distance)[..., None]
     coupling = np.matmul(weighted.transpose(0, 2, 1), local)
     D = np.matmul((local * seen.weight[..., None]).transpose(0, 2, 1), local)
-    pull = (seen.weight * seen.distance)[..., None]
     b_view = np.matmul(local.transpose(0, 2, 1), pull)[..., 0]
     b_view[:, :3] += prior.view_information[:3] * state.shift_m
-    if own == 6:
+    if local.shape[2] == 6:
         b_view[:, 3:] += prior.view_information[3:] * _turned(state.turn)
     inverse = np.linalg.inv(D + np.diag(prior.view_information))
     left = np.matmul(coupling, inverse)
-    b_left = np.einsum("vmg,vm->vg", J, seen.weight * seen.distance) - np.einsum("vgd,vd->vg", left, b_view)
+    b_left = np.matmul(J.transpose(0, 2, 1), pull)[..., 0] - np.matmul(left, b_view[..., None])[..., 0]
     sensors = len(evidence.sensors)
     size = count + 3 + PER_SENSOR * sensors
     H, b = np.zeros((size, size)), np.zeros(size)
     for k in range(sensors):
         mine = np.flatnonzero(evidence.sensor == k)
-        flat, again = weighted[mine].reshape(-1, J.shape[2]), J[mine].reshape(-1, J.shape[2])
-        part = flat.T @ again - np.tensordot(left[mine], coupling[mine], axes=([0, 2], [0, 2]))
+        part = _gram(weighted[mine], J[mine]) - _gram(left[mine].transpose(0, 2, 1), coupling[mine].transpose(0, 2, 1))
         _add_sensor(H, b, part, b_left[mine].sum(axis=0), count, k)
         here = slice(count + 3 + PER_SENSOR * k, count + 3 + PER_SENSOR * (k + 1))
         information, pulled = prior.of_sensor(evidence.offset_sigma_m[k], state.offset_m[k], state.edge_px[k])
@@ -147,6 +147,11 @@ def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: 
     prior.add(H, b, state.shape, state.body)
     _add_contact(H, b, state)
     return _System(H, b, inverse, coupling, b_view)
+
+
+def _gram(a: F64, b: F64) -> F64:
+    """Return Σ aᵀ b (G, G) over all rows of (V, M, G)."""
+    return np.asarray(a.reshape(-1, a.shape[2]).T @ b.reshape(-1, b.shape[2]))
 
 
 def _add_sensor(H: F64, b: F64, part: F64, pull: F64, count: int, number: int) -> None:
@@ -171,12 +176,12 @@ def _turned(turn: F64) -> F64:
 
 def _add_contact(H: F64, b: F64, state: State) -> None:
     """Add what the belt says: the fruit's lowest point lies on it."""
-    surface = state.shape.surface_m()
-    lowest = int(np.argmin(surface[:, 2]))
-    gap = state.centre_m[2] + surface[lowest, 2]
+    surface = state.shape.surface()
+    lowest = int(np.argmin(surface.points_m[:, 2]))
+    gap = state.centre_m[2] + surface.points_m[lowest, 2]
     count = 6 + len(state.shape.weights)
     row = np.zeros(len(b))
-    row[:count] = support_change(state.shape, lowest, np.array([0.0, 0.0, 1.0]))
+    row[:count] = surface.change(lowest, np.array([0.0, 0.0, 1.0]))[0]
     row[count + 2] = 1.0
     information = 1.0 / CONTACT_SIGMA_M**2
     H += information * np.outer(row, row)

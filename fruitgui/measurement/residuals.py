@@ -8,7 +8,7 @@ import numpy as np
 
 from fruitgui.frame import F64
 from fruitgui.measurement.evidence import Evidence
-from fruitgui.measurement.shape import SIX, Shape
+from fruitgui.measurement.shape import Shape
 from fruitgui.measurement.state import State
 
 FLOOR_SIGMA_M = 0.5e-3
@@ -41,7 +41,7 @@ class Residuals:
         distance: (V, M) metres, positive outside; for outlines, what fattening does not explain.
         weight: (V, M) 1/m².
         by_shape: (V, M, 6 + K) change with the stretch and the harmonics' weights.
-        by_view: (V, M, 6) change with the view's shift (3) and turn (3).
+        by_view: (V, M, 3 or 6) change with the view's shift (3) and turn (3).
         by_edge: (V, M, 2) change with the sensor's fattening along the picture's x and y, in pixels.
         along: (V, M) from each sample along its sight to where it was linearised next.
         chi2: (V,) mean normalised square of the view's points.
@@ -58,54 +58,73 @@ class Residuals:
     view_weight: F64
 
 
-def residuals(state: State, evidence: Evidence) -> Residuals:
+def residuals(state: State, evidence: Evidence, *, turning: bool = False) -> Residuals:
     """Linearise about where each point's sight meets the surface, and where each outline's sight passes it closest.
 
     The noise lies along the sight. Taken at the noisy point itself, slopes and
     weights would go with the noise and pull the surface inwards by σ²-terms
     (a millimetre at 1 m).
     """
-    sight = np.matmul(evidence.sight, state.turn.transpose(0, 2, 1))
-    p = np.matmul(evidence.samples_m - state.place_m(evidence)[:, None, :], state.turn.transpose(0, 2, 1))
+    rim, matrix = evidence.points, state.shape.matrix
+    p, sight = _in_body(state, evidence)
+    toward = sight[:, rim:] @ matrix.T
+    curved = np.einsum("vmd,vmd->vm", toward, toward)
     along = state.along_m.copy()
-    along[:, evidence.points :] += _closest(p[:, evidence.points :], sight[:, evidence.points :], state.shape.matrix)
+    along[:, rim:] -= np.einsum("vmd,vmd->vm", p[:, rim:] @ matrix.T, toward) / curved
     p += along[..., None] * sight
     views, count = along.shape
-    distance, normal, outward, u, steep, harmonics = _distances(state.shape, p.reshape(-1, 3))
-    by_shape = np.empty((len(u), 6 + harmonics.shape[1]))
-    for k, (i, j) in enumerate(SIX):
-        by_shape[:, k] = outward[:, i] * u[:, j] if i == j else outward[:, i] * u[:, j] + outward[:, j] * u[:, i]
-    by_shape[:, 6:] = harmonics
-    by_shape /= -steep[:, None]
-    distance, normal = distance.reshape(views, count), normal.reshape(views, count, 3)
+    distance, normal, by_shape, steep = _distances(state.shape, p.reshape(-1, 3))
+    distance, normal, steep = distance.reshape(along.shape), normal.reshape(p.shape), steep.reshape(along.shape)
     facing = -np.einsum("vmd,vmd->vm", sight, normal)
-    by_view = np.concatenate([-np.matmul(normal, state.turn), np.cross(p, normal)], axis=2)
-    height = np.einsum("vmd,vd->vm", p[:, evidence.points :], state.turn[:, :, 2]) + state.centre_m[2]
-    by_edge = _by_edge(by_view, evidence)
-    _correct(distance, facing, along, by_edge, state, evidence)
-    weight, chi2, view_weight = _weights(distance, facing, height, evidence)
-    next_along = _next_along(distance, facing, steep.reshape(views, count), state, evidence, sight)
-    return Residuals(
-        distance, weight, by_shape.reshape(views, count, -1), by_view, by_edge, next_along, chi2, view_weight
-    )
+    shift = -np.matmul(normal, state.turn) if state.turned else -normal
+    by_view = np.concatenate([shift, _cross(p, normal)], axis=2) if turning else shift
+    by_edge = _by_edge(shift, evidence)
+    distance[:, :rim] += along[:, :rim] * facing[:, :rim]
+    fattening = state.edge_px[evidence.sensor][:, None, :] - OUTSIDE_PX
+    distance[:, rim:] += np.sum(by_edge[:, rim:] * fattening, axis=2)
+    up = p[:, rim:] @ np.array([0.0, 0.0, 1.0]) if not state.turned else np.matmul(p[:, rim:], state.turn[:, :, 2:])[..., 0]
+    weight, chi2, view_weight = _weights(distance, facing, up + state.centre_m[2], evidence)
+    following = np.empty_like(along)
+    following[:, :rim] = distance[:, :rim] / np.maximum(facing[:, :rim], 0.15)
+    following[:, rim:] = state.along_m[:, rim:] + facing[:, rim:] * steep[:, rim:] / curved
+    np.clip(following, -FARTHEST_M, FARTHEST_M, out=following)
+    by_shape = by_shape.reshape(views, count, -1)
+    return Residuals(distance, weight, by_shape, by_view, by_edge, following, chi2, view_weight)
 
 
-def _closest(p: F64, sight: F64, matrix: F64) -> F64:
-    """Return how far along each sight (V, M) the ellipsoid is passed closest."""
-    q, d = p @ matrix.T, sight @ matrix.T
-    return np.asarray(-np.einsum("vmd,vmd->vm", q, d) / np.einsum("vmd,vmd->vm", d, d))
+def _in_body(state: State, evidence: Evidence) -> tuple[F64, F64]:
+    """Return samples and sights (V, M, 3) about the fruit's centre, as it lies."""
+    p = evidence.samples_m - state.place_m(evidence)[:, None, :]
+    if not state.turned:
+        return p, evidence.sight
+    back = state.turn.transpose(0, 2, 1)
+    return np.matmul(p, back), np.matmul(evidence.sight, back)
 
 
-def _distances(shape: Shape, p: F64) -> tuple[F64, F64, F64, F64, F64, F64]:
-    """Return, for points (N, 3) about the centre: distance, normal, and the parts of the change with the shape."""
+def _cross(a: F64, b: F64) -> F64:
+    """Return the cross products (V, M, 3); numpy's own is several times slower."""
+    ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
+    bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
+    return np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=-1)
+
+
+def _distances(shape: Shape, p: F64) -> tuple[F64, F64, F64, F64]:
+    """Return, for points (N, 3) about the centre: distance, normal, change with the shape, and steepness."""
     q = p @ shape.matrix.T
     rho = np.sqrt(np.einsum("nd,nd->n", q, q))
     u = q / rho[:, None]
     level, slope, harmonics = _dent(shape, u)
     outward = u - slope
-    gradient = outward @ shape.matrix / rho[:, None]
+    gradient = (outward @ shape.matrix) / rho[:, None]
     steep = np.sqrt(np.einsum("nd,nd->n", gradient, gradient))
-    return (np.log(rho) - level) / steep, gradient / steep[:, None], outward, u, steep, harmonics
+    by_shape = np.empty((len(u), 6 + harmonics.shape[1]))
+    ux, uy, uz = u.T
+    nx, ny, nz = outward.T
+    by_shape[:, 0], by_shape[:, 1], by_shape[:, 2] = nx * ux, ny * uy, nz * uz
+    by_shape[:, 3], by_shape[:, 4], by_shape[:, 5] = nx * uy + ny * ux, nx * uz + nz * ux, ny * uz + nz * uy
+    by_shape[:, 6:] = harmonics
+    by_shape *= (-1.0 / steep)[:, None]
+    return (np.log(rho) - level) / steep, gradient / steep[:, None], by_shape, steep
 
 
 def _dent(shape: Shape, u: F64) -> tuple[F64, F64, F64]:
@@ -120,23 +139,13 @@ def _dent(shape: Shape, u: F64) -> tuple[F64, F64, F64]:
     return values @ shape.weights, slope, values
 
 
-def _by_edge(by_view: F64, evidence: Evidence) -> F64:
+def _by_edge(shift: F64, evidence: Evidence) -> F64:
     """Return the change (V, M, 2) of the outlines' distances with a pixel of fattening along the picture's x and y."""
     rim = evidence.points
-    by_edge = np.zeros((*by_view.shape[:2], 2))
-    in_picture = np.matmul(by_view[:, rim:, :3], evidence.axes[evidence.sensor][:, :2].transpose(0, 2, 1))
+    by_edge = np.zeros((*shift.shape[:2], 2))
+    in_picture = np.matmul(shift[:, rim:], evidence.axes[evidence.sensor][:, :2].transpose(0, 2, 1))
     by_edge[:, rim:] = -(in_picture**2) * evidence.pixel_m[:, rim:, None]
     return by_edge
-
-
-def _correct(
-    distance: F64, facing: F64, along: F64, by_edge: F64, state: State, evidence: Evidence
-) -> None:
-    """Refer points' distances to where they were seen, and outlines' to what fattening explains; in place."""
-    rim = evidence.points
-    distance[:, :rim] += along[:, :rim] * facing[:, :rim]
-    fattening = state.edge_px[evidence.sensor][:, None, :] - OUTSIDE_PX
-    distance[:, rim:] += np.sum(by_edge[:, rim:] * fattening, axis=2)
 
 
 def _weights(distance: F64, facing: F64, height: F64, evidence: Evidence) -> tuple[F64, F64, F64]:
@@ -154,16 +163,4 @@ def _weights(distance: F64, facing: F64, height: F64, evidence: Evidence) -> tup
     usual = max(float(np.median(chi2)), 0.3)
     view_weight = np.minimum(1.0, (2.5 * usual / np.maximum(chi2, 1e-9)) ** 2)
     weight = student * trusted * view_weight[:, None] / variance
-    weight[:, :rim] *= evidence.share[:, None]
-    return weight, chi2, view_weight
-
-
-def _next_along(distance: F64, facing: F64, steep: F64, state: State, evidence: Evidence, sight: F64) -> F64:
-    """Return where to linearise next: points' sights meet the surface; outlines' pass it (a Newton step beyond the ellipsoid's)."""
-    rim = evidence.points
-    along = np.empty_like(distance)
-    along[:, :rim] = distance[:, :rim] / np.maximum(facing[:, :rim], 0.15)
-    d = sight[:, rim:] @ state.shape.matrix.T
-    curved = np.einsum("vmd,vmd->vm", d, d)
-    along[:, rim:] = state.along_m[:, rim:] + facing[:, rim:] * steep[:, rim:] / curved
-    return np.asarray(np.clip(along, -FARTHEST_M, FARTHEST_M))
+    return weight * evidence.share, chi2, view_weight

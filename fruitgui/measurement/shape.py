@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -35,19 +36,57 @@ class Shape:
         """The harmonics of g; None for an ellipsoid."""
         return basis(self.degree) if self.degree >= 3 else None
 
-    def radius(self, directions: F64) -> F64:
-        """Return |q| of the surface (N,) at unit vectors (N, 3) of the ball's own frame."""
-        harmonics = self.basis
-        return np.ones(len(directions)) if harmonics is None else np.exp(harmonics(directions) @ self.weights)
+    def surface(self) -> Surface:
+        """Evaluate the surface on the grid of directions."""
+        return surface(self)
 
-    def surface_m(self, count: int = GRID) -> F64:
-        """Return points (count, 3) of the surface about its centre."""
-        directions = sphere_points(count)
-        return np.asarray((directions * self.radius(directions)[:, None]) @ np.linalg.inv(self.matrix).T)
 
-    def volume_m3(self) -> float:
-        """Return the enclosed volume: ∫ |q|³/3 dΩ, over det A."""
-        return float(4.0 / 3.0 * np.pi * np.mean(self.radius(sphere_points(GRID)) ** 3) / np.linalg.det(self.matrix))
+@dataclass(frozen=True, slots=True, eq=False)
+class Surface:
+    """A shape on the grid of directions.
+
+    Attributes:
+        points_m: (GRID, 3) about the centre, in the axes on which the shape's matrix acts.
+        radius: (GRID,) |q| of each.
+        inverse: (3, 3) A⁻¹.
+        harmonics: (GRID, K) of each direction.
+    """
+
+    points_m: F64
+    radius: F64
+    inverse: F64
+    harmonics: F64
+
+    def change(self, index: F64 | int, directions: F64) -> F64:
+        """Return d(p·direction) (N, 6 + K) by stretch and weights, of grid points (N,) along directions (N, 3).
+
+        Where p is extreme along the direction this is how the extreme changes.
+        """
+        chosen = np.atleast_1d(np.asarray(index))
+        u = sphere_points(GRID)[chosen]
+        back = (np.atleast_2d(directions) @ self.inverse) * self.radius[chosen, None]
+        change = np.empty((len(chosen), 6 + self.harmonics.shape[1]))
+        for k, (i, j) in enumerate(SIX):
+            change[:, k] = back[:, i] * u[:, j] if i == j else back[:, i] * u[:, j] + back[:, j] * u[:, i]
+        change[:, 6:] = np.sum(back * u, axis=1)[:, None] * self.harmonics[chosen]
+        return change
+
+
+def surface(shape: Shape) -> Surface:
+    """Evaluate a shape on the grid of directions."""
+    directions = sphere_points(GRID)
+    harmonics = grid_harmonics(shape.degree)
+    radius = np.exp(harmonics @ shape.weights)
+    inverse = np.linalg.inv(shape.matrix)
+    return Surface((directions * radius[:, None]) @ inverse.T, radius, inverse, harmonics)
+
+
+@lru_cache(maxsize=8)
+def grid_harmonics(degree: int) -> F64:
+    """Return the harmonics (GRID, K) of the grid's directions. Shared; do not write."""
+    values = basis(degree)(sphere_points(GRID)) if degree >= 3 else np.zeros((GRID, 0))
+    values.setflags(write=False)
+    return values
 
 
 def ball(radius_m: float) -> Shape:

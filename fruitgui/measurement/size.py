@@ -20,6 +20,7 @@ from fruitgui.measurement.state import State, first_state
 from fruitgui.tracking.track import Track
 
 DEGREE = 6
+THIN, STEPS0, STEPS = 2, 5, 4
 
 
 def measure(track: Track, rig: Rig) -> Size | None:
@@ -35,11 +36,11 @@ def fit_surface(evidence: Evidence, velocity_m_s: F64, degree: int | None = None
     """Return the closed surface through all views, coarse to fine: ball, ellipsoid, harmonics."""
     degree = DEGREE if degree is None else degree
     path, _ = carried(evidence, evidence.centre_m, velocity_m_s, degree=1)
-    few = evidence.thinned(2)
-    state = improve(first_state(few, path, FATTENING_PX), few, shape_prior(0, 4e-3, axis_known=False), 5).state
+    few = evidence.thinned(THIN)
+    state = improve(first_state(few, path, FATTENING_PX), few, shape_prior(0, 4e-3, axis_known=False), STEPS0).state
     state = _upon_axes(_along_path(state, evidence, velocity_m_s, 3), degree)
     state = replace(state, along_m=np.zeros(evidence.used.shape))
-    return improve(state, evidence, shape_prior(degree, 1.5e-3, axis_known=True), 4)
+    return improve(state, evidence, shape_prior(degree, 1.5e-3, axis_known=True), STEPS)
 
 
 def _along_path(state: State, evidence: Evidence, velocity_m_s: F64, degree: int) -> State:
@@ -65,12 +66,13 @@ def _upon_axes(state: State, degree: int) -> State:
 
 def size_of(fit: Fit) -> Size:
     """Return the sizes of a fitted surface, each with its standard deviation."""
-    length, diameter = length_and_diameter(fit.state.shape)
+    surface = fit.state.shape.surface()
+    length, diameter = length_and_diameter(surface)
     return Size(
-        volume_m3=_quantity(volume(fit.state.shape), fit),
+        volume_m3=_quantity(volume(surface), fit),
         length_m=_quantity(length, fit),
         diameter_m=_quantity(diameter, fit),
-        perimeter_m=_quantity(perimeter(fit.state.shape), fit),
+        perimeter_m=_quantity(perimeter(surface), fit),
         coverage=0.0,
     )
 

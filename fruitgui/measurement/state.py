@@ -24,6 +24,7 @@ class State:
         edge_px: (S, 2) how much each sensor fattens edges along its picture's x and y.
         shift_m: (V, 3) of each view, beyond all that.
         turn: (V, 3, 3) from how it lay in the view to how it lies.
+        turned: whether any view is turned.
         along_m: (V, M) from each sample along its sight to the surface.
     """
 
@@ -35,6 +36,7 @@ class State:
     edge_px: F64
     shift_m: F64
     turn: F64
+    turned: bool
     along_m: F64
 
     def place_m(self, evidence: Evidence) -> F64:
@@ -56,5 +58,6 @@ def first_state(evidence: Evidence, path_m: F64, edge_px: float) -> State:
         edge_px=np.full((sensors, 2), edge_px),
         shift_m=np.zeros((views, 3)),
         turn=np.tile(np.eye(3), (views, 1, 1)),
+        turned=False,
         along_m=np.zeros(evidence.used.shape),
     )
