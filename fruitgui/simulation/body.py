@@ -84,11 +84,12 @@ def at_rest(mesh: Mesh, rng: Generator, lying: float | None = None) -> Mesh:
     """
     direction = _unit(rng.normal(size=3)) if lying is None else _tilted(lying, rng)
     vertices = mesh.vertices_m[::2] if len(mesh.vertices_m) > 4000 else mesh.vertices_m
-    height, step = float((vertices @ direction).max()), 0.3
+    vertices = np.ascontiguousarray(vertices.T)
+    height, step = float((direction @ vertices).max()), 0.3
     while step > 0.002:
         trials = direction + step * rng.normal(size=(24, 3))
         trials /= np.linalg.norm(trials, axis=1, keepdims=True)
-        heights = (vertices @ trials.T).max(axis=0)
+        heights = (trials @ vertices).max(axis=1)
         best = int(heights.argmin())
         if heights[best] < height:
             direction, height = trials[best], float(heights[best])

@@ -9,6 +9,7 @@ depth data for indoor mapping applications" (disparity, its 1/8-pixel step,
 from __future__ import annotations
 
 from dataclasses import dataclass
+from statistics import NormalDist
 
 import numpy as np
 from numpy.random import Generator
@@ -179,9 +180,7 @@ def fattened(disparity: F32, fattening_px: float, chance: F32, jump_px: float = 
     grown = _dilated(disparity, whole)
     part = fattening_px - whole
     if part > 0:
-        from scipy.stats import norm
-
-        more = chance < norm.ppf(part)
+        more = chance < NormalDist().inv_cdf(part)
         grown = np.where(more, _dilated(disparity, whole + 1), grown)
     edge = grown > disparity + np.float32(jump_px)
     cv2.copyTo(disparity, (~edge).astype(np.uint8), grown)
@@ -206,9 +205,7 @@ def dropped(scan: Scan, model: DepthModel, bank: NoiseBank, rng: Generator) -> B
     lost = strength < np.float32(model.dark_infrared) * (1 + np.float32(0.35) * blotch)
     lost |= scan.facing < np.float32(model.grazing_cosine) * (1 + np.float32(0.3) * blotch)
     if model.speckle_share:
-        from scipy.stats import norm
-
-        lost |= bank.window(bank.blotch, rng) > np.float32(norm.isf(model.speckle_share))
+        lost |= bank.window(bank.blotch, rng) > np.float32(NormalDist().inv_cdf(1 - model.speckle_share))
     return np.asarray(lost)
 
 

@@ -54,9 +54,8 @@ class Mesh:
         """Return unit outward normals at the vertices, (V, 3), triangles weighted by their area."""
         a, b, c = self._corners()
         facets = np.cross(b - a, c - a)
-        normals = np.zeros_like(self.vertices_m)
-        for corner in range(3):
-            np.add.at(normals, self.triangles[:, corner], facets)
+        corners, count = self.triangles.T.ravel(), len(self.vertices_m)
+        normals = np.stack([np.bincount(corners, np.tile(part, 3), count) for part in facets.T], axis=1)
         lengths = np.linalg.norm(normals, axis=1, keepdims=True)
         return np.asarray(normals / np.maximum(lengths, 1e-30), dtype=np.float32)
 
@@ -89,10 +88,15 @@ def callipers(mesh: Mesh) -> Callipers:
     return Callipers(length_m, float(np.linalg.norm(second - first)))
 
 
+def extreme_points(points: F64, directions: int) -> F64:
+    """Return those of (N, D) points that lie farthest in one of so many directions, spread evenly at random."""
+    toward = np.random.default_rng(0).normal(size=(directions, points.shape[1])).astype(np.float32)
+    return points[np.unique((toward @ points.T.astype(np.float32)).argmax(axis=1))]
+
+
 def farthest_pair(points: F64) -> tuple[F64, F64]:
     """Return the two points farthest apart of (N, D) points: all pairs of those that are extreme in some direction."""
-    directions = np.random.default_rng(0).normal(size=(points.shape[1], 600))
-    extreme = points[np.unique((points @ directions).argmax(axis=0))]
+    extreme = extreme_points(points, 300)
     gaps = np.linalg.norm(extreme[:, None] - extreme[None, :], axis=2)
     start = extreme[int(gaps.max(axis=1).argmax())]
     for _ in range(8):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from fruitgui.frame import F32, F64, Ints
-from fruitgui.simulation.mesh import Mesh
+from fruitgui.simulation.mesh import Mesh, extreme_points
 
 RIM_DIRECTIONS = 400
 
@@ -50,8 +50,7 @@ class Caster:
         )
         self._triangles = mesh.triangles
         self._skin = np.hstack([mesh.vertex_normals(), mesh.albedo]).astype(np.float32)
-        directions = np.random.default_rng(0).normal(size=(3, RIM_DIRECTIONS))
-        self.rim_m: F64 = mesh.vertices_m[np.unique((mesh.vertices_m @ directions).argmax(axis=0))]
+        self.rim_m: F64 = extreme_points(mesh.vertices_m, RIM_DIRECTIONS)
         self.reach_m = float(np.linalg.norm(mesh.vertices_m, axis=1).max())
 
     def distances(self, rays: F32) -> F32:

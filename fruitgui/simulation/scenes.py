@@ -86,11 +86,11 @@ def placement_scene(seed: int, *, captures: int = 5, conditions: Conditions = US
     """Return a scene for calibrating, of a kind drawn by the seed.
 
     An opposed pair, a chain of three or a ring of four, 0.7–1.6 m high, rails
-    beside the belt, 9–26 pieces of fruit.
+    beside the belt, 9–26 pieces of fruit (15–26 along a chain, which is longer).
     """
     rng = np.random.default_rng([seed, 5])
     layout = ("opposed", "chain", "ring")[seed % 3]
-    fruit = int(rng.integers(9, 27))
+    fruit = int(rng.integers(15 if layout == "chain" else 9, 27))
     return still_scene(seed, layout, fruit, captures=captures, height_m=(0.7, 1.6), conditions=conditions)
 
 

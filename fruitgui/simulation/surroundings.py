@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.random import Generator
 
-from fruitgui.frame import F32, F64, Bools
+from fruitgui.frame import F32, Bools
 from fruitgui.geometry.pose import Pose
 from fruitgui.simulation.light import linear
 
@@ -91,70 +91,84 @@ class Backdrop:
 
 def look(surroundings: Surroundings, rays: F32, pose: Pose) -> Backdrop:
     """Return what a camera sees: `rays` (H, W, 2) are x/z and y/z of its pixels, `pose` maps it into the world."""
-    forward = np.concatenate([rays, np.ones_like(rays[..., :1])], axis=-1).astype(np.float64)
-    directions = forward @ pose.rotation.T
-    origin = pose.translation_m
-    z = np.full(rays.shape[:2], np.inf)
-    normal = np.zeros(directions.shape)
-    albedo = np.full(directions.shape, 0.03)
-    infrared = np.zeros_like(z)
-    _add_level(
-        -surroundings.floor_m, None, surroundings.floor_colour, 0.4, origin, directions, (z, normal, albedo, infrared)
-    )
+    R, origin = pose.rotation.astype(np.float32), pose.translation_m.astype(np.float32)
+    directions = (rays[..., 0] * axis[0] + rays[..., 1] * axis[1] + axis[2] for axis in R)
+    canvas = _Canvas(origin, *(np.where(np.abs(part) < 1e-9, np.float32(1e-9), part) for part in directions))
+    canvas.add_level(-surroundings.floor_m, surroundings.floor_colour, 0.4)
     for block in surroundings.blocks:
-        _add_block(block, origin, directions, (z, normal, albedo, infrared))
-    belt = surroundings.belt
-    on_belt = _add_level(0.0, belt, belt.colour, belt.infrared, origin, directions, (z, normal, albedo, infrared))
-    facing = -(normal * directions).sum(axis=-1) / np.linalg.norm(directions, axis=-1)
-    place = origin[:2] + directions[..., :2] * np.where(np.isfinite(z), z, 0.0)[..., None]
-    return Backdrop(_f32(z), _f32(normal), _f32(facing), _f32(albedo), _f32(infrared), on_belt, _f32(place))
+        canvas.add_block(block)
+    return canvas.finished(canvas.add_belt(surroundings.belt))
 
 
-def _f32(values: F64) -> F32:
-    return np.ascontiguousarray(values, dtype=np.float32)
+class _Canvas:
+    """Depth so far, and the number of the face that each pixel sees; 0 is nothing."""
 
+    def __init__(self, origin: F32, x: F32, y: F32, z: F32) -> None:
+        self._origin = origin
+        self._way = (x, y, z)
+        self._z_m = np.full(x.shape, np.inf, dtype=np.float32)
+        self._face = np.zeros(x.shape, dtype=np.uint8)
+        self._normals = [(0.0, 0.0, 0.0)]
+        self._albedos = [np.full(3, 0.03, dtype=np.float32)]
+        self._infrareds = [0.0]
 
-_Layers = tuple[F64, F64, F64, F64]
+    def _new_face(self, normal: tuple[float, float, float], colour: tuple[float, float, float], infrared: float) -> int:
+        self._normals.append(normal)
+        self._albedos.append(linear(np.array(colour)))
+        self._infrareds.append(infrared)
+        return len(self._normals) - 1
 
+    def _draw(self, seen: Bools, z_m: F32, face: int) -> None:
+        self._z_m[seen] = z_m[seen]
+        self._face[seen] = face
 
-def _add_level(
-    level_m: float, belt: Belt | None, colour: tuple[float, float, float], infrared: float,
-    origin: F64, directions: F64, layers: _Layers,
-) -> Bools:  # fmt: skip
-    """Paint a horizontal plane (the belt's rectangle of it, where given) where it is nearest; tell where."""
-    z, normal, albedo, ir = layers
-    down = np.minimum(directions[..., 2], -1e-9)
-    t = (level_m - origin[2]) / down
-    seen = (directions[..., 2] < -1e-6) & (t > 0) & (t < z)
-    if belt is not None:
-        x = origin[0] + t * directions[..., 0]
-        y = origin[1] + t * directions[..., 1]
+    def _level(self, level_m: float) -> tuple[Bools, F32]:
+        """Return where a horizontal plane is nearest and seen from above, and its depth."""
+        z_m = (np.float32(level_m) - self._origin[2]) / self._way[2]
+        return (self._way[2] < 0) & (z_m > 0) & (z_m < self._z_m), z_m
+
+    def add_level(self, level_m: float, colour: tuple[float, float, float], infrared: float) -> None:
+        """Draw an endless floor."""
+        seen, z_m = self._level(level_m)
+        self._draw(seen, z_m, self._new_face((0.0, 0.0, 1.0), colour, infrared))
+
+    def add_belt(self, belt: Belt) -> Bools:
+        """Draw the belt's rectangle; tell where it is seen."""
+        seen, z_m = self._level(0.0)
+        x = self._origin[0] + z_m * self._way[0]
+        y = self._origin[1] + z_m * self._way[1]
         seen &= (np.abs(y) <= belt.width_m / 2) & (x >= belt.ends_m[0]) & (x <= belt.ends_m[1])
-    _paint(seen, t, np.array([0.0, 0.0, 1.0]), colour, infrared, (z, normal, albedo, ir))
-    return np.asarray(seen)
+        self._draw(seen, z_m, self._new_face((0.0, 0.0, 1.0), belt.colour, belt.infrared))
+        return seen
 
+    def add_block(self, block: Block) -> None:
+        """Draw a block (slab method, Kay & Kajiya 1986)."""
+        enters: list[F32] = []
+        leave = np.full(self._z_m.shape, np.inf, dtype=np.float32)
+        for way, origin, low, high in zip(self._way, self._origin, block.low_m, block.high_m, strict=True):
+            first, second = (np.float32(low) - origin) / way, (np.float32(high) - origin) / way
+            enters.append(np.minimum(first, second))
+            np.minimum(leave, np.maximum(first, second), out=leave)
+        enter = np.maximum(np.maximum(enters[0], enters[1]), enters[2])
+        seen = (enter < leave) & (enter > 0) & (enter < self._z_m)
+        for axis in range(3):
+            through = seen & (enter == enters[axis])
+            for sign in (-1.0, 1.0):
+                normal = tuple(sign if number == axis else 0.0 for number in range(3))
+                face = self._new_face((normal[0], normal[1], normal[2]), block.colour, block.infrared)
+                self._draw(through & (self._way[axis] * np.float32(sign) < 0), enter, face)
 
-def _add_block(block: Block, origin: F64, directions: F64, layers: _Layers) -> None:
-    """Paint a block where it is nearest (slab method, Kay & Kajiya 1986)."""
-    safe = np.where(np.abs(directions) < 1e-12, 1e-12, directions)
-    first = (np.array(block.low_m) - origin) / safe
-    second = (np.array(block.high_m) - origin) / safe
-    entries = np.minimum(first, second)
-    enter, leave = entries.max(axis=-1), np.maximum(first, second).min(axis=-1)
-    seen = (enter < leave) & (enter > 0) & (enter < layers[0])
-    axis = entries.argmax(axis=-1)
-    normal = np.zeros(directions.shape)
-    np.put_along_axis(normal, axis[..., None], -np.sign(np.take_along_axis(directions, axis[..., None], -1)), -1)
-    _paint(seen, enter, normal, block.colour, block.infrared, layers)
-
-
-def _paint(
-    seen: Bools, t: F64, normal: F64, colour: tuple[float, float, float], infrared: float, layers: _Layers
-) -> None:
-    layers[0][seen] = t[seen]
-    layers[1][seen] = normal if normal.ndim == 1 else normal[seen]
-    layers[2][seen] = linear(np.array(colour))
-    layers[3][seen] = infrared
+    def finished(self, on_belt: Bools) -> Backdrop:
+        """Return the picture."""
+        x, y, z = self._way
+        normal = np.array(self._normals, dtype=np.float32)[self._face]
+        length = np.sqrt(x * x + y * y + z * z)
+        facing = -(normal[..., 0] * x + normal[..., 1] * y + normal[..., 2] * z) / length
+        near_m = np.where(np.isfinite(self._z_m), self._z_m, np.float32(0))
+        place = np.stack([self._origin[0] + x * near_m, self._origin[1] + y * near_m], axis=-1)
+        albedo = np.array(self._albedos, dtype=np.float32)[self._face]
+        infrared = np.array(self._infrareds, dtype=np.float32)[self._face]
+        return Backdrop(self._z_m, normal, facing, albedo, infrared, on_belt, place)
 
 
 def rails(width_m: float, rng: Generator) -> tuple[Block, Block]:
@@ -185,17 +199,22 @@ def make_belt(rng: Generator, width_m: float, ends_m: tuple[float, float] = (-np
 
 def _wear(rng: Generator, rows: int = 320, columns: int = 1024) -> F32:
     """Return a tiled texture: weave, stains, and streaks along the travel; mean 1, never below 0.4."""
-    import cv2
-
     total = np.ones((rows, columns), dtype=np.float32)
     contrast = rng.uniform(0.02, 0.10)
-    for along, across, share in ((1.0, 1.0, 0.5), (6.0, 6.0, 0.6), (60.0, 1.5, 0.7), (30.0, 25.0, 0.6)):
-        rough = rng.normal(size=(rows, columns)).astype(np.float32)
-        rough = np.tile(rough, (1, 3)) if along > 1 else rough
-        smooth = cv2.GaussianBlur(rough, (0, 0), sigmaX=along, sigmaY=across, borderType=cv2.BORDER_REFLECT)
-        smooth = smooth[:, columns : 2 * columns] if along > 1 else smooth
-        total += contrast * share * smooth / max(float(smooth.std()), 1e-6)
+    for along, across, share in ((1, 1, 0.5), (8, 8, 0.6), (128, 2, 0.7), (64, 32, 0.6)):
+        total += np.float32(contrast * share) * _cloud(rng, rows, columns, along, across)
     return np.clip(total, 0.4, 1.8)
+
+
+def _cloud(rng: Generator, rows: int, columns: int, along: int, across: int) -> F32:
+    """Return noise with cells of `along` by `across`, the left edge fitting to the right, standard deviation 1."""
+    import cv2
+
+    rough = rng.standard_normal((rows // across, columns // along), dtype=np.float32)
+    wide = np.tile(rough, (1, 3))
+    smooth = cv2.resize(wide, (3 * columns, rows), interpolation=cv2.INTER_CUBIC)[:, columns : 2 * columns]
+    cloud: F32 = cv2.GaussianBlur(smooth, (3, 3), 0.8)
+    return cloud / np.float32(cloud.std())
 
 
 class WearMap:
