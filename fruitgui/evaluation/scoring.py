@@ -84,5 +84,11 @@ def covered(pairs: Sequence[Pair]) -> int:
 
 
 def size_errors_mm(pairs: Sequence[Pair], name: str) -> F64:
-    """Return estimate − truth of `length`, `diameter` or `perimeter`, mm."""
-    return np.array([one.reported[f"{name}_mm"] - getattr(one.true, f"{name}_m") * 1e3 for one in pairs])
+    """Return estimate − truth of `length`, `diameter` or `perimeter`, mm, of the fruit whose report has it."""
+    return np.array(
+        [
+            one.reported[f"{name}_mm"] - getattr(one.true, f"{name}_m") * 1e3
+            for one in pairs
+            if f"{name}_mm" in one.reported
+        ]
+    )

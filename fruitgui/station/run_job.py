@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from fruitgui.measurement.paper import paper_volume
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.line import FEATURES, Line, PaperVolume
@@ -65,16 +66,10 @@ def run_recording(
     model = model_of(station, station_path, options.model)
     watch = Stopwatch()
     prelude = look_ahead(Watching(source, station), station, options.belt_speed_m_s, watch, cancelled)
-    run = _Run(prelude, model, _paper_volume() if options.paper else None, watch)
+    run = _Run(prelude, model, paper_volume if options.paper else None, watch)
     with contextlib.closing(prelude.seen):
         run.go(progress)
     return run.report(station)
-
-
-def _paper_volume() -> PaperVolume:
-    from fruitgui.measurement.paper import paper_volume
-
-    return paper_volume
 
 
 class _Run:
