@@ -81,7 +81,8 @@ def account(
 
 def _taught(kind: str, fruits: Sequence[LabelledFruit]) -> Taught:
     own = [one for one in fruits if one.kind == kind]
-    return Taught(kind, len(own), sum(one.evidence.views for one in own))
+    pieces = {(one.source, one.fruit_id) for one in own}
+    return Taught(kind, len(pieces), sum(one.evidence.views for one in own))
 
 
 def _warnings(taught: Sequence[Taught]) -> tuple[str, ...]:

@@ -25,6 +25,10 @@ class FeatureNames:
     view: tuple[str, ...]
     fruit: tuple[str, ...] = ()
 
+    def __post_init__(self) -> None:
+        if len({*self.view, *self.fruit}) < len(self.view) + len(self.fruit):
+            raise ValueError("two features have one name")
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Evidence:
@@ -63,7 +67,8 @@ class LabelledFruit:
     """One piece of fruit to which a person gave a kind.
 
     Attributes:
-        fruit_id: says which piece of fruit this is; what is held out together.
+        fruit_id: says which piece of fruit of its source this is. One that crossed twice is listed twice under
+            one id; it is held out as one.
         kind: the person's word; `unknown` for a thing that is to be rejected.
         evidence: its views and size.
         sensors: ids of the sensors that saw it.

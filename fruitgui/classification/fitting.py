@@ -9,7 +9,7 @@ import numpy as np
 from fruitgui.classification.density import Density, FruitVectors, fit_density, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames
 from fruitgui.classification.model import Core
-from fruitgui.classification.nature import Nature, by_ratio, light_changes, natures, sizes
+from fruitgui.classification.nature import borne_changes, by_ratio, sizes
 from fruitgui.classification.network import fit_network
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled, never_cancelled
@@ -17,8 +17,7 @@ from fruitgui.progress import Cancelled, never_cancelled
 _EPOCHS = 24
 _ROWS = 2048
 _JITTER = 0.5
-_LEAST_BIN = 0.05
-_LEAST_OTHER = 1e-3
+_LEAST_UNIT = 1e-3
 _VIEWS = 40
 """Views per fruit that the perceptron is shown; more of one fruit teach nothing new."""
 
@@ -69,7 +68,7 @@ def _thinned(views: F64) -> F64:
 
 def fit_densities(fruit: FruitSet, strength: float) -> Density:
     """Return the densities of the kinds."""
-    changes = light_changes(fruit.names)
+    changes = borne_changes(fruit.names)
     return fit_density(fruit.vectors, fruit.kinds, fruit.count, strength, changes.T @ changes)
 
 
@@ -106,17 +105,16 @@ def around(density: Density, strangers: FruitVectors | None) -> Density | None:
 
 
 def _least_units(names: FeatureNames) -> F64:
-    """Return the least unit of each view feature: an empty bin that fills up a little has not changed the fruit."""
-    bins = np.array([what is Nature.BIN for what in natures(names)[: len(names.view)]])
-    light = np.sqrt((light_changes(names)[:, : len(names.view)] ** 2).sum(axis=0))
-    return np.maximum(np.where(bins, _LEAST_BIN, _LEAST_OTHER), light)
+    """Return the least unit of each view feature: what a change that must be borne may move it."""
+    changes = borne_changes(names)[:, : len(names.view)]
+    return np.asarray(np.maximum(np.linalg.norm(changes, axis=0), _LEAST_UNIT))
 
 
 class _Drawer:
     """Draws rows for one epoch: kinds alike, fruit of a kind alike, views of a fruit alike.
 
     A row is a view moved as other fruit of its kind differ from this one (half as far, in both directions), and as
-    other light would move it: a few fruit stand for the many that are to come.
+    another light or neighbour would move it: a few fruit stand for the many that are to come.
     """
 
     def __init__(self, fruit: FruitSet, centre: F64, unit: F64, density: Density) -> None:
@@ -126,7 +124,7 @@ class _Drawer:
         self._members = [np.flatnonzero(fruit.kinds == kind) for kind in range(fruit.count)]
         width = len(centre)
         scale = density.unit[:width] / unit
-        changes = light_changes(fruit.names)[:, :width] / unit
+        changes = borne_changes(fruit.names)[:, :width] / unit
         light = changes.T @ changes
         between = density.covariances[:, :width, :width] * np.outer(scale, scale) - light
         self._moves = [_root(_JITTER**2 * block + light) for block in between]

@@ -11,7 +11,7 @@ from fruitgui.classification.decision import Novelty, Scores, Weighing, fit_nove
 from fruitgui.classification.density import Density, FruitVectors
 from fruitgui.classification.evidence import Evidence
 from fruitgui.classification.fitting import FruitSet, fit_core, fit_densities
-from fruitgui.classification.nature import axis_sets, light_changes
+from fruitgui.classification.nature import axis_sets, borne_changes
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled
 
@@ -23,18 +23,19 @@ STRENGTHS = (3.0, 8.0, 24.0, 100.0)
 """Candidates for the strength of the pooled spread: from each kind its own to all alike."""
 
 
-def deal(kinds: Ints, random: np.random.Generator) -> Ints:
-    """Return each fruit's fold (N,), −1 for the only fruit of a kind, which training cannot spare.
+def deal(kinds: Ints, pieces: Ints, random: np.random.Generator) -> Ints:
+    """Return each fruit's fold (N,), −1 for the only piece of a kind, which training cannot spare.
 
-    Every kind is dealt evenly; by fruit, never by view.
+    Every kind is dealt evenly; by piece of fruit, never by view.
     """
     fold = np.full(len(kinds), -1, dtype=np.intp)
     start = 0
     for kind in np.unique(kinds):
-        members = random.permutation(np.flatnonzero(kinds == kind))
-        if len(members) > 1:
-            fold[members] = (start + np.arange(len(members))) % FOLDS
-            start += len(members)
+        own = random.permutation(np.unique(pieces[kinds == kind]))
+        if len(own) > 1:
+            for number, piece in enumerate(own):
+                fold[(pieces == piece) & (kinds == kind)] = (start + number) % FOLDS
+            start += len(own)
     return fold
 
 
@@ -119,7 +120,7 @@ def hold_out(
 
 def _own(fruit: FruitSet, density: Density, row: int, random: np.random.Generator) -> F64:
     """Return the distances (L, A) of a fruit to its own kind in L lights other than training's."""
-    changes, sets = light_changes(fruit.names), axis_sets(fruit.names)
+    changes, sets = borne_changes(fruit.names), axis_sets(fruit.names)
     points = fruit.vectors.points[row] + random.standard_normal((LIGHTS, len(changes))) @ changes
     views, kind = float(fruit.vectors.views[row]), fruit.kinds[row]
     return np.array([[density.judge(point, views, axes)[0][kind] for axes in sets] for point in points])

@@ -22,12 +22,14 @@ class Lesson:
         kinds: the kinds, in alphabetical order.
         fruit: those of trained kinds.
         numbers: (N,) number of each one's kind.
+        pieces: (N,) number of each one's piece of fruit: one that crossed twice has one number.
         strangers: fruit labelled unknown.
     """
 
     kinds: tuple[str, ...]
     fruit: tuple[LabelledFruit, ...]
     numbers: Ints
+    pieces: Ints
     strangers: tuple[LabelledFruit, ...]
 
 
@@ -35,16 +37,16 @@ def lesson(fruits: Sequence[LabelledFruit], names: FeatureNames) -> Lesson:
     """Sort labelled fruit for training.
 
     Raises:
-        InputError: no fruit of a kind, other features than the names say, one fruit twice, or kinds that cannot be.
+        InputError: no fruit of a kind, other features than the names say, or kinds that cannot be.
     """
     known = tuple(one for one in fruits if one.kind != UNKNOWN)
     if not known:
         raise InputError("no_labels", "There is no labelled fruit to train on.", "Give some fruit their kind.")
     for one in fruits:
         check_width(one.evidence, names)
-    if len({(one.source, one.fruit_id) for one in fruits}) < len(fruits):
-        raise InputError("fruit_twice", "One fruit is listed twice.", "Give each fruit one id and one kind.")
     kinds = checked_kinds(sorted({one.kind for one in known}))
     numbers = np.array([kinds.index(one.kind) for one in known], dtype=np.intp)
+    piece: dict[tuple[str, str], int] = {}
+    pieces = [piece.setdefault((one.source, one.fruit_id), len(piece)) for one in known]
     strangers = tuple(one for one in fruits if one.kind == UNKNOWN)
-    return Lesson(kinds, known, numbers, strangers)
+    return Lesson(kinds, known, numbers, np.array(pieces, dtype=np.intp), strangers)

@@ -1,4 +1,4 @@
-"""What a feature's name says about it: what it tells of, how it is scaled, and how far light may move it."""
+"""What a feature's name says about it: what it tells of, how it is scaled, and what may move it."""
 
 from __future__ import annotations
 
@@ -11,59 +11,86 @@ from fruitgui.frame import F32, F64, Bools, Ints
 
 
 class Nature(Enum):
-    """What a feature tells of.
-
-    COLOUR: a smooth statistic of colour or texture.
-    SHAPE: geometry; the light does not change it.
-    BIN: one bin of a histogram. Most are empty in training, and how far they may fill up cannot be learned from
-        that; so they are the perceptron's alone.
-    """
+    """What a feature tells of."""
 
     COLOUR = "colour"
     SHAPE = "shape"
-    BIN = "bin"
 
 
 CHANGES: tuple[dict[str, float], ...] = (
-    {  # Noise of the picture in dim light: it widens all spreads together, and gives grey skins a hue.
-        "red_share_std": 0.015, "green_share_std": 0.012, "saturation_std": 0.04, "saturation_mean": 0.03,
-        "hue_strength": -0.03, "value_texture": 0.012, "hue_cosine": -0.03,
+    {  # brighter or darker pictures; near black, the offset of the camera bends ratios
+        "light_value_p50": -0.5,
+        "chroma_blue_green_p10": 0.05, "chroma_blue_green_p50": 0.05, "chroma_blue_green_p90": 0.05,
+        "chroma_saturation_mean": -0.01,
     },
-    {"log_red_to_belt": 0.4},  # another belt, or one that got dirty
-    {"log_green_to_belt": 0.4},
-    {"log_blue_to_belt": 0.4},
-    {"log_value_to_belt": 0.4, "log_red_to_belt": 0.4, "log_green_to_belt": 0.4, "log_blue_to_belt": 0.4},
-    {"red_share": 0.012, "green_share": -0.004, "saturation_mean": 0.02, "hue_cosine": 0.03, "hue_sine": -0.03},  # warm
-    {"green_share": 0.008, "red_share": -0.004, "hue_sine": 0.03},  # greenish
-    {"value_contrast": 0.05},  # a lamp from the side
-    {"red_share_std": 0.008, "green_share_std": -0.008},
-    {"saturation_std": 0.015},
-    {"saturation_mean": 0.03},
-    {"hue_strength": 0.01},
-    {"value_texture": 0.01},
-    {"hue_cosine": 0.03},
-    {"hue_sine": 0.03},
-    {"length_m": 0.04, "width_m": 0.04, "area_m2": 0.08, "volume_m3": 0.08},  # edges fattened by a pixel or two
-    {"height_m": 0.03, "height_to_width": 0.03},
-    {"width_to_length": 0.03},
-    {"height_to_width": 0.05},
-    {"solidity": 0.015},  # outlines cut out of a group, drawn coarser or finer
-    {"fill": 0.012},
-    {"ellipse_error": 0.015},
-    {"lopsidedness": 0.03},
-    {"height_p20": 0.025, "height_p50": 0.015, "height_p80": 0.01},
-    {"sphere_residual": 0.006},
-    {"sphere_radius_m": 0.05},
+    {  # noise of the picture in dim light: it widens all spreads together, and gives grey skins a hue
+        "chroma_red_green_p10": -0.06, "chroma_red_green_p90": 0.06,
+        "chroma_blue_green_p10": -0.08, "chroma_blue_green_p90": 0.08,
+        "chroma_red_std": 0.012, "chroma_green_std": 0.010, "chroma_saturation_std": 0.025,
+        "chroma_saturation_mean": 0.02, "chroma_hue_strength": -0.03, "chroma_reddish_share": 0.02,
+        "chroma_greenish_share": 0.02,
+        "texture_step": 0.04, "texture_spread": 0.015, "texture_dark": -0.03, "texture_bright": 0.03,
+    },
+    {  # warmer or colder light
+        "chroma_red_green_p10": 0.05, "chroma_red_green_p50": 0.05, "chroma_red_green_p90": 0.05,
+        "chroma_blue_green_p10": -0.05, "chroma_blue_green_p50": -0.05, "chroma_blue_green_p90": -0.05,
+        "chroma_red_mean": 0.012, "chroma_green_mean": 0.002, "chroma_saturation_mean": 0.01,
+        "chroma_hue_cosine": 0.03, "chroma_hue_sine": -0.02, "chroma_reddish_share": 0.03,
+        "chroma_greenish_share": -0.03,
+    },
+    {  # greener or more purple light
+        "chroma_red_green_p10": -0.03, "chroma_red_green_p50": -0.03, "chroma_red_green_p90": -0.03,
+        "chroma_blue_green_p10": -0.03, "chroma_blue_green_p50": -0.03, "chroma_blue_green_p90": -0.03,
+        "chroma_red_mean": -0.004, "chroma_green_mean": 0.008, "chroma_hue_sine": 0.02,
+        "chroma_reddish_share": -0.02, "chroma_greenish_share": 0.02,
+    },
+    {"chroma_red_green_to_belt": 0.08},  # another belt, or one that got dirty
+    {"chroma_blue_green_to_belt": 0.10},
+    {"chroma_value_to_belt": 0.25},
+    {"texture_spread": 0.03, "texture_dark": -0.05, "texture_bright": 0.05},  # a lamp from the side
+    {"texture_dark": 0.05},
+    {"texture_specular_share": 0.01, "texture_bright": 0.03},
+    {"texture_step": 0.01},
+    {"chroma_red_std": 0.006, "chroma_green_std": -0.006},
+    {"chroma_saturation_std": 0.01},
+    {"chroma_saturation_mean": 0.015},
+    {"chroma_hue_strength": 0.01},
+    {"chroma_hue_cosine": 0.02},
+    {"chroma_hue_sine": 0.02},
+    {"chroma_red_mean": 0.004},
+    {"chroma_green_mean": 0.004},
+    {"chroma_reddish_share": 0.02},
+    {"chroma_greenish_share": 0.02},
+    {"size_length": 0.04, "size_width": 0.04, "size_root_area": 0.04, "shape_height_to_root_area": -0.03},  # fat edges
+    {"size_height": 0.03, "height_m": 0.03, "shape_height_to_width": 0.03, "shape_height_to_root_area": 0.03},
+    {"volume_m3": 0.06, "length_m": 0.02, "diameter_m": 0.02, "perimeter_m": 0.02},  # a fit with a side unseen
+    {"volume_m3": 0.03},
+    {"length_m": 0.02},
+    {"diameter_m": 0.02},
+    {"perimeter_m": 0.015},
+    {"shape_width_to_length": 0.03, "shape_height_to_width": 0.04},  # a neighbour cuts the outline
+    {"shape_solidity": 0.015},
+    {"shape_fill": 0.012},
+    {"shape_ellipse_error": 0.015},
+    {"shape_tips": 0.02},
+    {"shape_lopsidedness": 0.03},
+    {"shape_height_p20": 0.025, "shape_height_p50": 0.015, "shape_height_p80": 0.01, "shape_flat_share": -0.02},
+    {"shape_flat_share": 0.02},
+    {"shape_sphere_residual": 0.006},
+    {"shape_sphere_radius": 0.05},
 )  # fmt: skip
-"""What light and belt that training did not show may change, each with the standard deviation of every feature in it.
+"""What another light, belt or neighbour than training's may change: one standard deviation of each feature, together.
 
-A white balance that is off by 5 % in one channel moves a share s of the sum by 0.05·s·(1 − s), saturation by at most
-0.05, hue by a few degrees. The main lamp's direction changes the mean light on a body beside that on the level belt by
-a tenth or two (Lambert's cosine over the seen half). Shot noise of a small camera at 100 lx is some 6 of 255 values,
-on a dark skin as much as a fifth of its colour. Belts of one make differ by half in reflectance, and get dirty.
+Features that are not named here bear nothing.
+
+A white balance that is off by 10 % in one channel moves the logarithm of its (gamma-encoded) level by 0.045 and a share
+s of the sum by 0.05·s·(1 − s). 100–1000 lx is a factor of 10: ±0.5 in the logarithm of the level, where the camera does
+not adapt. Shot noise of a small camera at 100 lx is some 6 of 255 values, on a dark skin as much as a fifth of its
+colour. Belts of one make differ by half in reflectance, and get dirty. Two pixels of fattened edge are 4 % of a fruit
+of 50 pixels; an outline cut out of a group lacks a few per cent of its area.
 """
 
-_COLOURS = ("red_", "green_", "blue_", "hue_", "saturation_", "value_", "log_", "chroma_", "colour_", "texture_")
+_COLOURS = ("chroma_", "light_", "texture_", "colour_")
 _UNITS = ("_m", "_m2", "_m3")
 _SMALLEST = 1e-12
 
@@ -74,15 +101,13 @@ def natures(names: FeatureNames) -> tuple[Nature, ...]:
 
 
 def _nature(name: str) -> Nature:
-    if name.rpartition("_")[2].isdigit():
-        return Nature.BIN
     return Nature.COLOUR if name.startswith(_COLOURS) else Nature.SHAPE
 
 
-def light_changes(names: FeatureNames) -> F64:
-    """Return the changes (C, D) that new light may bring: rows are one standard deviation of each, independent."""
-    place = {name: at for at, name in enumerate(names.view)}
-    changes = np.zeros((len(CHANGES), len(names.view) + len(names.fruit)))
+def borne_changes(names: FeatureNames) -> F64:
+    """Return the changes (C, D) that features must bear, independent of each other; see `CHANGES`."""
+    place = {name: at for at, name in enumerate((*names.view, *names.fruit))}
+    changes = np.zeros((len(CHANGES), len(place)))
     for row, change in enumerate(CHANGES):
         for name, size in change.items():
             if name in place:

@@ -71,7 +71,7 @@ def train_paper(
     """
     taught = lesson(fruits, names)
     random = np.random.default_rng(seed)
-    fold = deal(taught.numbers, random)
+    fold = deal(taught.numbers, taught.pieces, random)
     votes: dict[int, Judged] = {}
     for one in range(FOLDS):
         progress(one / (FOLDS + 1), "Judging fruit that training did not see")

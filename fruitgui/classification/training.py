@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from fruitgui.classification.confusion import Judged
 from fruitgui.classification.decision import decide
 from fruitgui.classification.density import FruitVectors, fruit_vectors
 from fruitgui.classification.evidence import FeatureNames, LabelledFruit
-from fruitgui.classification.fitting import FruitSet, fit_core, fruit_set
+from fruitgui.classification.fitting import FruitSet, around, fit_core, fruit_set
 from fruitgui.classification.held_out import FOLDS, HeldOut, choose_strength, deal, hold_out
 from fruitgui.classification.intervals import rate
 from fruitgui.classification.lesson import Lesson, lesson
@@ -41,8 +42,8 @@ def train(
     random = np.random.default_rng(seed)
     evidence = [one.evidence for one in taught.fruit]
     fruit = fruit_set(evidence, taught.numbers, len(taught.kinds), names)
-    strangers = _strangers(taught, names, random)
-    fold = deal(taught.numbers, random)
+    strangers = _strangers(taught, names)
+    fold = deal(taught.numbers, taught.pieces, random)
     progress(0.0, "Choosing how much kinds share")
     strength = choose_strength(fruit, fold)
     stop_if(cancelled)
@@ -57,16 +58,15 @@ def train(
     progress(0.7, "Finding out whether more fruit would help")
     curve = _curve(fruit, taught, fold, model, strength, random, cancelled)
     progress(1.0, "Trained")
-    return account(model, taught.kinds, fruits, _judged(taught, held), curve)
+    judged = [*_judged(taught, held), *_strangers_judged(taught, model, strangers)]
+    return account(model, taught.kinds, fruits, judged, curve)
 
 
-def _strangers(taught: Lesson, names: FeatureNames, random: np.random.Generator) -> FruitVectors | None:
+def _strangers(taught: Lesson, names: FeatureNames) -> FruitVectors | None:
+    """Return the first two hundred strangers as points; more would slow every vote."""
     if not taught.strangers:
         return None
-    vectors = fruit_vectors([one.evidence for one in taught.strangers], names)
-    if len(taught.strangers) <= _MOST_STRANGERS:
-        return vectors
-    return vectors.take(np.sort(random.choice(len(taught.strangers), _MOST_STRANGERS, replace=False)))
+    return fruit_vectors([one.evidence for one in taught.strangers[:_MOST_STRANGERS]], names)
 
 
 def _judged(taught: Lesson, held: HeldOut) -> list[Judged]:
@@ -79,6 +79,18 @@ def _judged(taught: Lesson, held: HeldOut) -> list[Judged]:
             vote = decide(taught.kinds, held.scores[row], weighing, novelty)
             votes[int(held.rows[row])] = Judged(taught.fruit[held.rows[row]], vote)
     return [votes[row] for row in sorted(votes)]
+
+
+def _strangers_judged(taught: Lesson, model: KindModel, strangers: FruitVectors | None) -> list[Judged]:
+    """Return the strangers with the votes of a model that knows only the other folds' strangers."""
+    if strangers is None:
+        return []
+    judged: list[Judged] = []
+    for number, one in enumerate(taught.strangers[: len(strangers.points)]):
+        others = strangers.take(np.flatnonzero(np.arange(len(strangers.points)) % FOLDS != number % FOLDS))
+        core = replace(model.core, strangers=around(model.core.density, others))
+        judged.append(Judged(one, replace(model, core=core).vote(one.evidence)))
+    return judged
 
 
 def _curve(

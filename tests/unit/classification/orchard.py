@@ -13,8 +13,7 @@ NAMES = FeatureNames(
     (
         *(f"chroma_{letter}" for letter in "abcdefghij"),
         *(f"texture_{letter}" for letter in "abcd"),
-        *(f"ratio_{letter}" for letter in "abcdefghijkl"),
-        *(f"hue_{i}" for i in range(4)),
+        *(f"shape_{letter}" for letter in "abcdefghijklmnop"),
     ),
     ("volume_m3", "length_m", "diameter_m", "perimeter_m"),
 )
