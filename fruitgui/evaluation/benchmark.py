@@ -12,6 +12,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -52,10 +53,39 @@ def _median_s(job: Callable[[], None]) -> float:
 
 
 def perceiving() -> Iterator[str]:
-    """Time one frame with 28 fruit, against Open3D's plane segmentation and clustering."""
-    from fruitgui.evaluation.frame_benchmark import frame_figures
+    """Time perceiving and tracking one frame with 28 fruit, and Open3D's planes and clusters on the same frame."""
+    from fruitgui.perception.benchmark import benchmark
 
-    yield from frame_figures()
+    figures = benchmark()
+    track_ms = tracking_ms()
+    ours_ms = figures.perceive_ms + track_ms
+    yield str(figures)
+    yield (
+        f"perceived and tracked: {figures.perceive_ms:.1f} + {track_ms:.1f} = {ours_ms:.1f} ms of one core; "
+        f"Open3D / ours: {figures.open3d_ms / ours_ms:.0f}"
+    )
+
+
+def tracking_ms(fruit: int = 28, updates: int = 60) -> float:
+    """Return the median processor time of one tracker update with so many fruit in view, milliseconds."""
+    from fruitgui.geometry.pose import Pose
+    from fruitgui.geometry.rig import Mount, Rig
+    from fruitgui.perception.benchmark import crowded_frame
+    from fruitgui.perception.perceiver import Perceiver
+    from fruitgui.tracking.belt import BeltMotion
+    from fruitgui.tracking.tracker import Tracker
+
+    frame, surface = crowded_frame(fruit)
+    rig = Rig(frame.sensor, {frame.sensor: Mount(frame.sensor, Pose.exact(), surface, frame.intrinsics)})
+    seen = Perceiver(frame.sensor, frame.intrinsics, surface).observe(frame, 0.0)
+    tracker = Tracker(rig, BeltMotion(np.zeros(3)))
+    times = []
+    for number in range(updates):
+        observation = replace(seen, time_s=0.1 * number)
+        began_s = time.process_time()
+        tracker.update(observation)
+        times.append(time.process_time() - began_s)
+    return float(np.median(times[3:])) * 1e3
 
 
 def simulating() -> Iterator[str]:
