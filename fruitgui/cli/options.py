@@ -5,10 +5,12 @@ from __future__ import annotations
 import argparse
 import math
 from pathlib import Path
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from fruitgui.errors import InputError
-from fruitgui.station.source import RecordingSource
+
+if TYPE_CHECKING:
+    from fruitgui.station.source import RecordingSource
 
 Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
@@ -33,6 +35,8 @@ def add_json(command: argparse.ArgumentParser) -> None:
 
 def source(options: argparse.Namespace, path: Path) -> RecordingSource:
     """Return where to read from, of the options given."""
+    from fruitgui.station.source import RecordingSource
+
     sensors = tuple(name for name in (options.sensors or "").split(",") if name)
     return RecordingSource(path, tuple(options.topics), sensors, _clock_offsets(options.clock_offset))
 
