@@ -119,14 +119,14 @@ def _stretched(shape: Shape, body: F64, stretch: F64, weights: F64) -> Shape:
 
 def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: Prior) -> _System:
     """Build the equations view by view over [shape, sensor], eliminate the view's own, add up over sensors."""
-    count = seen.by_shape.shape[2]
-    J = np.concatenate([seen.by_shape, seen.by_view[..., :3], seen.by_edge], axis=2)
-    local = seen.by_view
-    weighted = J * seen.weight[..., None]
-    pull = (seen.weight * seen.distance)[..., None]
-    coupling = np.matmul(weighted.transpose(0, 2, 1), local)
-    D = np.matmul((local * seen.weight[..., None]).transpose(0, 2, 1), local)
-    b_view = np.matmul(local.transpose(0, 2, 1), pull)[..., 0]
+    J, local = seen.by_common, seen.by_view
+    count = J.shape[2] - PER_SENSOR
+    weight = seen.weight[..., None].astype(np.float32)
+    pull = (seen.weight * seen.distance)[..., None].astype(np.float32)
+    weighted = (J * weight).transpose(0, 2, 1)
+    coupling = np.matmul(weighted, local).astype(np.float64)
+    D = np.matmul((local * weight).transpose(0, 2, 1), local)
+    b_view = np.matmul(local.transpose(0, 2, 1), pull)[..., 0].astype(np.float64)
     b_view[:, :3] += prior.view_information[:3] * state.shift_m
     if local.shape[2] == 6:
         b_view[:, 3:] += prior.view_information[3:] * _turned(state.turn)
@@ -136,9 +136,10 @@ def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: 
     sensors = len(evidence.sensors)
     size = count + 3 + PER_SENSOR * sensors
     H, b = np.zeros((size, size)), np.zeros(size)
+    parts = np.matmul(weighted, J) - np.matmul(left, coupling.transpose(0, 2, 1))
     for k in range(sensors):
-        mine = np.flatnonzero(evidence.sensor == k)
-        part = _gram(weighted[mine], J[mine]) - _gram(left[mine].transpose(0, 2, 1), coupling[mine].transpose(0, 2, 1))
+        mine = evidence.sensor == k
+        part = parts[mine].sum(axis=0)
         _add_sensor(H, b, part, b_left[mine].sum(axis=0), count, k)
         here = slice(count + 3 + PER_SENSOR * k, count + 3 + PER_SENSOR * (k + 1))
         information, pulled = prior.of_sensor(evidence.offset_sigma_m[k], state.offset_m[k], state.edge_px[k])
@@ -147,11 +148,6 @@ def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: 
     prior.add(H, b, state.shape, state.body)
     _add_contact(H, b, state)
     return _System(H, b, inverse, coupling, b_view)
-
-
-def _gram(a: F64, b: F64) -> F64:
-    """Return Σ aᵀ b (G, G) over all rows of (V, M, G)."""
-    return np.asarray(a.reshape(-1, a.shape[2]).T @ b.reshape(-1, b.shape[2]))
 
 
 def _add_sensor(H: F64, b: F64, part: F64, pull: F64, count: int, number: int) -> None:

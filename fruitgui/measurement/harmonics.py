@@ -14,7 +14,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from fruitgui.frame import F64, Ints
+from fruitgui.frame import F32, F64, Ints
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,7 +39,7 @@ class Basis:
         """Return the table of monomials (N, M) at unit vectors (N, 3)."""
         top = int(self.powers.max())
         x, y, z = (_powers(directions[:, axis], top) for axis in range(3))
-        table = np.empty((len(self.powers), len(directions)))
+        table = np.empty((len(self.powers), len(directions)), dtype=directions.dtype)
         for row, (i, j, k) in zip(table, self.powers, strict=True):
             np.multiply(x[i], y[j], out=row)
             row *= z[k]
@@ -48,6 +48,14 @@ class Basis:
     def __call__(self, directions: F64) -> F64:
         """Return the harmonics (N, K) at unit vectors (N, 3)."""
         return np.asarray(self.monomials(directions) @ self.matrix)
+
+    def with_slope(self, directions: F32, weights: F64) -> tuple[F32, F32, F32]:
+        """Return, at unit vectors (N, 3), the harmonics (N, K), their weighted sum (N,) and its tangential gradient (N, 3)."""
+        sums = np.column_stack([self.matrix @ weights, *(slope @ weights for slope in self.slope)])
+        table = self.monomials(directions) @ np.hstack([self.matrix, sums]).astype(directions.dtype)
+        level, slope = table[:, -4], table[:, -3:]
+        slope = slope - np.einsum("nd,nd->n", slope, directions)[:, None] * directions
+        return table[:, :-4], level, slope
 
 
 def _powers(values: F64, top: int) -> list[F64]:
