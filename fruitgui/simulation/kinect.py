@@ -27,6 +27,8 @@ class DepthModel:
         step_px: step of the disparity.
         sigma_px: standard deviation of the disparity, step included; 0.0609 is 1.4e-3 z² m.
         window_px: width of the matching window over which errors are correlated.
+        fixed_share: share of the variance (before rounding) that stays with the pixel from capture to capture, as the
+            dot pattern does; averaging captures of a still scene does not lessen it.
         fattening_px: how far near surfaces grow over what is behind them, 0–2.
         scale_error: relative error of depth (0.006 is 0.6 %).
         offset_m: constant error of depth.
@@ -43,6 +45,7 @@ class DepthModel:
     step_px: float = 0.125
     sigma_px: float = 0.0609
     window_px: int = 9
+    fixed_share: float = 0.3
     fattening_px: float = 1.0
     scale_error: float = 0.0
     offset_m: float = 0.0
@@ -77,6 +80,7 @@ class NoiseBank:
     Attributes:
         smooth: correlated over the matching window, standard deviation 1.
         blotch: correlated over a few pixels, standard deviation 1; decides drop-outs.
+        fixed: (height, width) a part of such noise that never changes.
     """
 
     def __init__(self, height: int, width: int, window_px: int, rng: Generator) -> None:
@@ -87,6 +91,7 @@ class NoiseBank:
         white = rng.standard_normal(shape, dtype=np.float32)
         smooth = cv2.blur(white, (window_px, window_px)) if window_px > 1 else white
         self.smooth = smooth / np.float32(smooth.std())
+        self.fixed = self.window(self.smooth, rng).copy()
         blotch = cv2.GaussianBlur(rng.standard_normal(shape, dtype=np.float32), (0, 0), 1.2)
         self.blotch = blotch / np.float32(blotch.std())
 
@@ -134,7 +139,9 @@ def measure_depth(
         lost &= ~grown
     else:
         grown = np.zeros(z_m.shape, dtype=bool)
-    disparity = disparity + np.float32(model.noise_px) * bank.window(bank.smooth, rng)
+    lasting, passing = model.noise_px * model.fixed_share**0.5, model.noise_px * (1 - model.fixed_share) ** 0.5
+    disparity = disparity + np.float32(passing) * bank.window(bank.smooth, rng)
+    disparity += np.float32(lasting) * bank.fixed
     if model.step_px:
         disparity = np.rint(disparity * np.float32(1 / model.step_px)) * np.float32(model.step_px)
     lost |= dropped(scan, model, bank, rng) & ~grown

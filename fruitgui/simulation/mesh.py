@@ -91,7 +91,7 @@ def callipers(mesh: Mesh) -> Callipers:
 def extreme_points(points: F64, directions: int) -> F64:
     """Return those of (N, D) points that lie farthest in one of so many directions, spread evenly at random."""
     toward = np.random.default_rng(0).normal(size=(directions, points.shape[1])).astype(np.float32)
-    return points[np.unique((toward @ points.T.astype(np.float32)).argmax(axis=1))]
+    return np.asarray(points[np.unique((toward @ points.T.astype(np.float32)).argmax(axis=1))])
 
 
 def farthest_pair(points: F64) -> tuple[F64, F64]:

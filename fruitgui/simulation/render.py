@@ -125,12 +125,18 @@ class Eye:
         return np.asarray(behind.albedo @ self._mixing * light[..., None], dtype=np.float32)
 
     def depth(self, bodies: Sequence[Placed], rng: Generator) -> U16:
-        """Return the registered depth, millimetres, as the sensor would give it."""
+        """Return the depth registered to colour, millimetres, as the sensor would give it."""
+        return to_millimetres(self._register(self._measured(bodies, rng)))
+
+    def own_depth(self, bodies: Sequence[Placed], rng: Generator) -> U16:
+        """Return the depth in the infrared camera's own picture, millimetres."""
+        return to_millimetres(self._measured(bodies, rng))
+
+    def _measured(self, bodies: Sequence[Placed], rng: Generator) -> F32:
         scan = self.scan(bodies)
         device = self.device
         radius2 = self._radius2 if device.depth_model.radial_error else None
-        measured = measure_depth(scan, device.depth_model, device.depth_camera.fx, radius2, self._bank, rng)
-        return to_millimetres(self._register(measured))
+        return measure_depth(scan, device.depth_model, device.depth_camera.fx, radius2, self._bank, rng)
 
     def scan(self, bodies: Sequence[Placed]) -> Scan:
         """Return exact depth in the infrared camera."""

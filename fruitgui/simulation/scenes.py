@@ -101,11 +101,19 @@ def bare_belt(
     rig_seed: int | None = None,
     with_rails: bool = True,
     captures: int = 5,
+    height_m: tuple[float, float] = USUAL_HEIGHT_M,
     conditions: Conditions = USUAL,
 ) -> Simulation:
     """Return an empty belt at rest: nothing to register by. Arguments as of `still_scene`."""
     return still_scene(
-        seed, layout, 0, rig_seed=rig_seed, with_rails=with_rails, captures=captures, conditions=conditions
+        seed,
+        layout,
+        0,
+        rig_seed=rig_seed,
+        with_rails=with_rails,
+        captures=captures,
+        height_m=height_m,
+        conditions=conditions,
     )
 
 

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from fruitgui.frame import F64, Frame
+from fruitgui.frame import F64, U16, Frame
 from fruitgui.geometry.plane import Plane, Surface
 from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rig import Mount, Rig
@@ -184,7 +184,7 @@ class Simulation:
         """Return the frame of capture `number` of `captures`."""
         capture = self.scene.captures[number]
         eye = self.eye(capture.sensor)
-        rng = np.random.default_rng([self.scene.seed, 2, number])
+        rng = self._chance(number)
         bodies = self.in_sight(capture)
         depth_mm = eye.depth(bodies, rng)
         color_s = capture.time_s + eye.device.color_delay_s
@@ -194,6 +194,17 @@ class Simulation:
         color = eye.color(bodies, speed.travel_m(color_s), speed.speed_m_s(color_s), rng)
         stamp_s = capture.time_s - eye.device.clock_offset_s
         return Frame(capture.sensor, self._numbers[number], stamp_s, color, depth_mm, eye.device.color_camera)
+
+    def own_depth_mm(self, number: int) -> U16:
+        """Return the depth of capture `number` in the infrared camera's own picture, not registered to colour.
+
+        Its camera is the device's `depth_camera`, `depth_to_color` the pose to the colour camera.
+        """
+        capture = self.scene.captures[number]
+        return self.eye(capture.sensor).own_depth(self.in_sight(capture), self._chance(number))
+
+    def _chance(self, number: int) -> np.random.Generator:
+        return np.random.default_rng([self.scene.seed, 2, number])
 
     def in_sight(self, capture: Capture) -> tuple[Placed, ...]:
         """Return the bodies that may be in a capture's picture, placed at its time."""

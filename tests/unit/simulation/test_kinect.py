@@ -69,6 +69,18 @@ def test_errors_are_correlated_over_the_matching_window() -> None:
     assert along == pytest.approx([8 / 9, 5 / 9, 0.0, 0.0], abs=0.05)
 
 
+@pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
+def test_a_part_of_the_error_stays_with_the_pixel(share: float) -> None:
+    rng = np.random.default_rng(3)
+    bank = NoiseBank(*SHAPE, 9, rng)
+    model = replace(NOISY, step_px=0.0, fixed_share=share)
+    first, second = (measure_depth(flat(1.0), model, 580.0, None, bank, rng) - 1.0 for _ in range(2))
+    alike = (first * second).mean() / (first.std() * second.std())
+    # 76 800 pixels in windows of 81 are 950 independent ones: ±0.033
+    assert alike == pytest.approx(share, abs=0.1)
+    assert first.std() == pytest.approx(1.4e-3, rel=0.08)
+
+
 def test_shadow_lies_on_the_left_and_is_as_wide_as_the_disparities_differ() -> None:
     # the projector is on the camera's right: a near strip hides the far wall to its left from the light
     model = replace(PERFECT, shadow=1.0)

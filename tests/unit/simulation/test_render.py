@@ -128,6 +128,15 @@ def test_registration_agrees_with_the_lens() -> None:
     assert np.argwhere(out > 0).tolist() == [[round(v), round(u)]]
 
 
+def test_depth_in_its_own_camera_registers_to_the_frames(still: Simulation) -> None:
+    device = still.device(still.captures[0].sensor)
+    own_m = still.own_depth_mm(0).astype(np.float32) / 1000
+    again = Registration(device.depth_camera, device.color_camera, device.depth_to_color)(own_m)
+    apart_m = np.abs(again - still.frame(0).depth_mm / 1000)
+    # whole millimetres may move a reading across the border of a pixel, seldom
+    assert (apart_m > 1.1e-3).mean() < 1e-3
+
+
 def test_blocks_and_belt_are_where_they_are() -> None:
     belt = make_belt(np.random.default_rng(0), 0.5, (-0.3, 0.3))
     block = Block((-0.1, -0.05, 0.0), (0.1, 0.05, 0.2), (0.5, 0.5, 0.5))
