@@ -13,7 +13,7 @@ ENOUGH_PIXELS = 16_000
 """Where a frame's fruit have more pixels than this, every second is left out: errors of depth are correlated over
 some nine pixels (method 1.2), so what is left out would tell nothing new."""
 
-BINS = 128
+BINS = 96
 
 
 @dataclass(frozen=True, slots=True, eq=False)

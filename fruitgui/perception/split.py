@@ -126,15 +126,16 @@ class HeightSplitter:
         relief = self._relief(groups, depth_mm, labels)
         wide_px = cv2.distanceTransform(cv2.compare(labels, 0, cv2.CMP_GT), cv2.DIST_L2, 3)
         tops = find_tops(relief, wide_px, labels, self._window)
-        clusters = self._clusters(relief, wide_px, tops)
         cuts: dict[int, list[Contour]] = {}
-        for group in _with_several(tops, clusters):
+        for group in self._doubtful(relief, wide_px, tops):
+            mine = tops.of(group)
+            clusters = self._clusters(relief, wide_px, mine)
+            numbers = np.unique(clusters, return_inverse=True)[1] + 1
+            if numbers.max() < 2:
+                continue
             patch = self._patch(groups.contours[group], group, labels, relief)
-            mine = tops.group == group
-            numbers = np.unique(clusters[mine], return_inverse=True)[1] + 1
-            parts = _basins(patch.ground, tops.place[mine] - patch.corner, numbers.astype(np.uint8))
-            fine = self._refined(parts, patch, groups, group)
-            pieces = part_contours(fine, patch.box[:2], self._least_px)
+            parts = _basins(patch.ground, mine.place - patch.corner, numbers.astype(np.uint8))
+            pieces = part_contours(self._refined(parts, patch, groups, group), patch.box[:2], self._least_px)
             if _is_sound(groups.contours[group], pieces):
                 cuts[group] = pieces
         return with_parts(groups, cuts) if cuts else unsplit(groups)
@@ -169,9 +170,8 @@ class HeightSplitter:
         share = cv2.blur(solid.astype(np.float32), (3, 3))
         z_mm = cv2.divide(cv2.blur(depth.astype(np.float32), (3, 3)), cv2.max(share, 1.0), scale=255.0)
         relief = np.float32(self._limits.offset_m) - np.float32(1e-3) * (self._slope * z_mm + 2.0 * moat)
-        outside = cv2.bitwise_or(cv2.compare(labels, 0, cv2.CMP_EQ), cv2.compare(share, 8.0, cv2.CMP_LE))
-        relief[outside != 0] = 0.0
-        return np.asarray(relief, dtype=np.float32)
+        inside = cv2.bitwise_and(cv2.compare(labels, 0, cv2.CMP_GT), cv2.compare(share, 8.0, cv2.CMP_GT))
+        return np.asarray(cv2.copyTo(relief, inside), dtype=np.float32)
 
     def _moats(self, depth: U16, solid: U8) -> U16:
         """Return by how many millimetres what lies behind an edge is farther than a slope would make it, (h, w).
@@ -187,8 +187,18 @@ class HeightSplitter:
             np.maximum(moat[here], jump, out=moat[here])
         return moat
 
+    def _doubtful(self, relief: F32, wide_px: F32, tops: Tops) -> list[int]:
+        """Return the groups that have a top from which no straight way leads to the group's highest without a dip."""
+        highest = tops.highest()
+        ends = tops.place[highest]
+        dip_m = tops.height_m - lowest_between(relief, tops.place, ends)
+        narrower_px = np.minimum(tops.wide_px, tops.wide_px[highest])
+        waist_px = narrower_px - lowest_between(wide_px, tops.place, ends)
+        apart = self._score(tops.height_m, narrower_px, dip_m, waist_px) >= 1.0
+        return [int(group) for group in np.unique(tops.group[apart])]
+
     def _clusters(self, relief: F32, wide_px: F32, tops: Tops) -> Ints:
-        """Return for every top the number of the fruit it belongs to.
+        """Return for every top of one group the number of the fruit it belongs to.
 
         Tops are joined in the order of the heights of the ways between them. Two
         stay apart where the way dips too much, or the outline narrows too much,
@@ -212,8 +222,12 @@ class HeightSplitter:
     def _apart(self, top_m: float, wide_px: float, low_m: float, narrow_px: float) -> bool:
         """Tell whether a dip below the lower top and a waist beside the narrower part make two fruit."""
         dip = (top_m - low_m) / max(self._settings.prominence * top_m, self._least_dip_m)
-        waist = (wide_px - narrow_px) / max(self._settings.waist * wide_px, 2.0)
-        return dip + max(waist, 0.0) >= 1.0
+        return dip + max((wide_px - narrow_px) / max(self._settings.waist * wide_px, 2.0), 0.0) >= 1.0
+
+    def _score(self, top_m: F64, wide_px: F64, dip_m: F64, waist_px: F64) -> F64:
+        """Return the same for arrays, as a number that is 1 where two fruit begin."""
+        dip = dip_m / np.maximum(self._settings.prominence * top_m, self._least_dip_m)
+        return np.asarray(dip + np.maximum(waist_px / np.maximum(self._settings.waist * wide_px, 2.0), 0.0))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -249,12 +263,16 @@ class Tops:
     wide_px: F64
     group: Ints
 
+    def of(self, group: int) -> Tops:
+        """Return the tops of one group."""
+        mine = self.group == group
+        return Tops(self.place[mine], self.height_m[mine], self.wide_px[mine], self.group[mine])
 
-def _with_several(tops: Tops, clusters: Ints) -> list[int]:
-    """Return the groups that hold more than one cluster of tops."""
-    pairs = np.unique(tops.group * len(clusters) + clusters)
-    groups, counts = np.unique(pairs // max(len(clusters), 1), return_counts=True)
-    return [int(group) for group in groups[counts > 1]]
+    def highest(self) -> Ints:
+        """Return, for every top, the number of the highest top of its group, (T,)."""
+        order = np.lexsort((self.height_m, self.group))
+        last = np.searchsorted(self.group[order], self.group, side="right") - 1
+        return np.asarray(order[last])
 
 
 def find_tops(relief: F32, wide_px: F32, labels: U8, window: U8, most: int = 400) -> Tops:
@@ -275,8 +293,8 @@ def find_tops(relief: F32, wide_px: F32, labels: U8, window: U8, most: int = 400
 
 
 def _pairs(tops: Tops) -> tuple[Ints, Ints]:
-    first, second = np.nonzero(np.triu(tops.group[:, None] == tops.group[None, :], k=1))
-    return first, second
+    """Return the numbers of every two tops."""
+    return np.triu_indices(len(tops.group), k=1)
 
 
 def lowest_between(relief: F32, start: Ints, end: Ints, samples: int = 40) -> F64:

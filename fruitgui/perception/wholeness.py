@@ -10,6 +10,12 @@ from fruitgui.frame import U8, U16, Bools, Ints
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.outline import Outlines
 
+Places = NDArray[np.int32]
+"""(M, 2) pixels of the crop, u and v."""
+
+EVERY = 2
+"""Every second place of an outline is looked at."""
+
 BESIDE_PX = 4
 """How far from an outline what lies beyond it is looked up."""
 
@@ -31,13 +37,15 @@ def seen_whole(outlines: Outlines, labels: U8, solid: U8, depth_mm: U16, limits:
         limits: of the sensor.
         jump_m: what lies nearer than the fruit by more than this, hides it.
     """
-    places = outlines.places
+    places, owner = outlines.places[::EVERY], outlines.owner[::EVERY]
     cut = _at_the_margin(places, depth_mm, limits) | _at_the_region(places, solid, depth_mm, limits)
-    hidden = _hidden(outlines, labels, depth_mm[limits.crop], jump_m)
-    return np.asarray((outlines.sums(cut) < 3) & (outlines.sums(hidden) < HIDDEN_PART * outlines.counts))
+    hidden = _hidden(places, owner, outlines.boxes(), labels, depth_mm[limits.crop], jump_m)
+    fruit, looked_at = len(outlines.counts), outlines.counts / EVERY
+    cuts, hiddens = (np.bincount(owner, weights=found, minlength=fruit) for found in (cut, hidden))
+    return np.asarray((cuts < 2) & (hiddens < HIDDEN_PART * looked_at))
 
 
-def _at_the_margin(places: NDArray[np.int32], depth_mm: U16, limits: DepthLimits) -> Bools:
+def _at_the_margin(places: Places, depth_mm: U16, limits: DepthLimits) -> Bools:
     """Tell which places (M, 2) of the crop lie at the end of the readings of their row or column."""
     rows, columns = limits.crop
     u, v = places[:, 0] + columns.start, places[:, 1] + rows.start
@@ -57,7 +65,7 @@ def _empty_run(strip: U16, axis: int) -> Ints:
     return np.asarray(cv2.compare(np.ascontiguousarray(strip), 0, cv2.CMP_GT).argmax(axis=axis))
 
 
-def _at_the_region(places: NDArray[np.int32], solid: U8, depth_mm: U16, limits: DepthLimits) -> Bools:
+def _at_the_region(places: Places, solid: U8, depth_mm: U16, limits: DepthLimits) -> Bools:
     """Tell which places have their foot on the region's edge, within three pixels' width."""
     if len(limits.edges) == 0:
         return np.zeros(len(places), dtype=bool)
@@ -68,13 +76,15 @@ def _at_the_region(places: NDArray[np.int32], solid: U8, depth_mm: U16, limits: 
     return np.asarray(sound & (limits.inside_m(points) < limits.inset_m + 2.0 * limits.belt_z_m / limits.focal_px))
 
 
-def _hidden(outlines: Outlines, labels: U8, depth: U16, jump_m: float) -> Bools:
+def _hidden(
+    places: Places, owner: Ints, boxes: Places, labels: U8, depth: U16, jump_m: float
+) -> Bools:
     """Tell at which places something else that stands on the belt lies beyond the outline, and nearer."""
-    hidden = np.zeros(len(outlines.places), dtype=bool)
-    near = np.flatnonzero(_crowded(outlines.boxes()).take(outlines.owner))
+    hidden = np.zeros(len(places), dtype=bool)
+    near = np.flatnonzero(_crowded(boxes).take(owner))
     if len(near) == 0:
         return hidden
-    (u, v), mine = outlines.places[near].T, outlines.owner[near] + 1
+    (u, v), mine = places[near].T, owner[near] + 1
     here = depth[v, u].astype(np.float32) - np.float32(1e3 * jump_m)
     last_row, last_column = labels.shape[0] - 1, labels.shape[1] - 1
     for du, dv in ((BESIDE_PX, 0), (-BESIDE_PX, 0), (0, BESIDE_PX), (0, -BESIDE_PX)):
@@ -84,7 +94,7 @@ def _hidden(outlines: Outlines, labels: U8, depth: U16, jump_m: float) -> Bools:
     return hidden
 
 
-def _crowded(boxes: NDArray[np.int32]) -> Bools:
+def _crowded(boxes: Places) -> Bools:
     """Tell which boxes (N, 4) come within reach of another's, (N,)."""
     low, high = boxes[:, :2], boxes[:, 2:] + BESIDE_PX
     meet = (low[:, None, :] <= high[None, :, :]).all(axis=2)
