@@ -83,7 +83,7 @@ def _require(sensor: str, topics: SensorTopics, seen: Survey) -> None:
                 f"The recording holds no {what} of sensor {sensor}.", topic or f"/{sensor}",
                 "Record it with colour and depth, or name its topics with --topics.",
             )  # fmt: skip
-        if topic not in seen.sizes:
+        if seen.size(topic) is None:
             fault = seen.faults.get(topic, "no picture came")
             raise UnusableSensorError(
                 f"The recording holds no readable {what} of sensor {sensor}: {fault}.", topic,
@@ -100,11 +100,15 @@ def _camera(info_topic: str, pictures_topic: str, seen: Survey) -> Intrinsics:
             f"Record {info_topic} too, or name the topic that holds it with --topics.",
         )  # fmt: skip
     try:
-        return intrinsics_of(info, seen.sizes[pictures_topic], rectified=_is_rectified(pictures_topic))
+        return intrinsics_of(info, _size(pictures_topic, seen), rectified=_is_rectified(pictures_topic))
     except MalformedError as error:
         raise UnusableSensorError(
             f"{info_topic} cannot be used: {error}.", info_topic, "Calibrate that camera and record again."
         ) from error
+
+
+def _size(topic: str, seen: Survey) -> tuple[int, int]:
+    return seen.size(topic) or (0, 0)
 
 
 def _is_rectified(topic: str) -> bool:
@@ -113,7 +117,7 @@ def _is_rectified(topic: str) -> bool:
 
 def _registration(sensor: str, topics: SensorTopics, seen: Survey, color: Intrinsics) -> Registration | None:
     """Return how depth comes into the colour picture, None where it is there already."""
-    size = seen.sizes[topics.depth]
+    size = _size(topics.depth, seen)
     if topics.depth_info:
         depth, pose = _camera(topics.depth_info, topics.depth, seen), seen.pose_of_depth(topics)
         if pose is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Generator, Iterator, Mapping
+from collections.abc import Collection, Generator, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from fruitgui.errors import InputError
@@ -21,6 +21,7 @@ from fruitgui.sensors.recordings.wire import stamp_ns
 from fruitgui.sensors.sensor import SensorInfo
 
 MAX_SENSORS = 64
+MAX_FAULTS_TOLD = 8
 
 
 class Recording:
@@ -155,9 +156,22 @@ def open_recording(
     decoders, faults = _decoders(found, seen)
     if not decoders:
         raise faults[0].as_input_error(str(path))
+    if len(decoders) > MAX_SENSORS:
+        raise InputError(
+            "too_many_sensors",
+            f"{path} holds {len(decoders)} sensors; at most {MAX_SENSORS} can be read together.",
+            "Name those that are wanted with --sensors.",
+            file=path,
+        )
     infos = {sensor: _info(decoder, found[sensor], container, seen) for sensor, decoder in decoders.items()}
-    warnings = [f"{path.name}: {fault.what} It is left out. {fault.remedy}" for fault in faults]
-    return Recording(path, container, decoders, found, infos, clock_offsets or {}, warnings)
+    return Recording(path, container, decoders, found, infos, clock_offsets or {}, _warnings(path, faults))
+
+
+def _warnings(path: Path, faults: Sequence[UnusableSensorError]) -> list[str]:
+    told = [f"{path.name}: {fault.what} It is left out. {fault.remedy}" for fault in faults[:MAX_FAULTS_TOLD]]
+    if len(faults) > len(told):
+        told.append(f"{path.name}: {len(faults) - len(told)} more sensors are left out for reasons like these.")
+    return told
 
 
 def _wanted_sensors(
@@ -180,13 +194,6 @@ def _wanted_sensors(
             where="--sensors",
         )
     chosen = {sensor: topics for sensor, topics in found.items() if not wanted or sensor in wanted}
-    if len(chosen) > MAX_SENSORS:
-        raise InputError(
-            "too_many_sensors",
-            f"{path} holds {len(chosen)} sensors; at most {MAX_SENSORS} can be read together.",
-            "Name those that are wanted with --sensors.",
-            file=path,
-        )
     return dict(sorted(chosen.items()))
 
 

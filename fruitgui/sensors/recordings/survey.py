@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import statistics
+from collections import Counter
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
@@ -40,7 +41,7 @@ class Survey:
 
     Attributes:
         types: type name by topic.
-        sizes: (width, height) of the first sound picture of each topic.
+        sizes_met: how often each (width, height) was met among the first pictures of each topic.
         frame_ids: frame of that picture.
         stamps_ns: first stamps of each topic, at most a few.
         cameras: what each camera_info topic says.
@@ -49,12 +50,17 @@ class Survey:
     """
 
     types: dict[str, str] = field(default_factory=dict)
-    sizes: dict[str, tuple[int, int]] = field(default_factory=dict)
+    sizes_met: dict[str, Counter[tuple[int, int]]] = field(default_factory=dict)
     frame_ids: dict[str, str] = field(default_factory=dict)
     stamps_ns: dict[str, list[int]] = field(default_factory=dict)
     cameras: dict[str, CameraInfo] = field(default_factory=dict)
     transforms: list[Transform] = field(default_factory=list)
     faults: dict[str, str] = field(default_factory=dict)
+
+    def size(self, topic: str) -> tuple[int, int] | None:
+        """Return the size of most of the first pictures: a single one may lie. None where there is no picture."""
+        met = self.sizes_met.get(topic)
+        return met.most_common(1)[0][0] if met else None
 
     def rate_hz(self, topic: str) -> float:
         """Return the frame rate by the first stamps, 0 where they do not say."""
@@ -115,10 +121,9 @@ def _note(seen: Survey, message: RawMessage) -> None:
 
 def _note_picture(seen: Survey, topic: str, picture: Picture) -> None:
     stamps = seen.stamps_ns.setdefault(topic, [])
-    if topic not in seen.sizes:
-        seen.sizes[topic] = picture_size(picture)
-        seen.frame_ids[topic] = picture.frame_id
     if len(stamps) < _ENOUGH_STAMPS:
+        seen.sizes_met.setdefault(topic, Counter())[picture_size(picture)] += 1
+        seen.frame_ids.setdefault(topic, picture.frame_id)
         stamps.append(picture.stamp_ns)
 
 
@@ -131,6 +136,6 @@ def _complete(seen: Survey, named: Mapping[str, SensorTopics], only: Collection[
 def _sensor_complete(seen: Survey, topics: SensorTopics) -> bool:
     if not (topics.color and topics.depth):
         return True
-    pictures = topics.color in seen.sizes and len(seen.stamps_ns.get(topics.depth, ())) >= _ENOUGH_STAMPS
+    pictures = topics.color in seen.sizes_met and len(seen.stamps_ns.get(topics.depth, ())) >= _ENOUGH_STAMPS
     cameras = topics.color_info in seen.cameras and (not topics.depth_info or topics.depth_info in seen.cameras)
     return pictures and cameras and (not topics.depth_info or seen.pose_of_depth(topics) is not None)

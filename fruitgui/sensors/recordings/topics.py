@@ -88,15 +88,15 @@ def _bad_option(option: str, why: str) -> InputError:
 
 
 def find_sensors(types: Mapping[str, str], named: Mapping[str, SensorTopics]) -> dict[str, SensorTopics]:
-    """Return the sensors of a recording, by id.
+    """Return the sensors of a recording, by id: whatever has a topic with pictures.
 
     Args:
         types: type name by topic, of the whole recording or of what is known of it so far.
         named: topics that a person named; they go before the names of the product's own recordings.
     """
     found: dict[str, SensorTopics] = {}
-    for topic in types:
-        match = _OWN_TOPIC.fullmatch(topic)
+    for topic, kind in types.items():
+        match = _OWN_TOPIC.fullmatch(topic) if kind in PICTURE_TYPES else None
         if match and match[1] not in found:
             found[match[1]] = _own_names(match[1], types)
     for sensor, topics in named.items():
