@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from fruitgui.geometry.rig import Rig
-from fruitgui.tracking.resolve import NEIGHBOUR_M, Resolver, distance_m
+from fruitgui.tracking.resolve import NEIGHBOUR_M, Resolver
 from fruitgui.tracking.settings import TrackerSettings
 from fruitgui.tracking.smooth import smoothed_path
 from fruitgui.tracking.track import Sighting, Track
@@ -29,7 +29,9 @@ class Closing:
 
     def release(self, live: Sequence[Trail]) -> list[Track]:
         """Return the fruit among the held trails that have no live neighbour."""
-        ready = [held for held in self._held if all(distance_m(held[0], other) >= NEIGHBOUR_M for other in live)]
+        if not self._held:
+            return []
+        ready = [held for held in self._held if not _has_neighbour(held[0], live)]
         tracks: list[Track] = []
         for trail, crossed in ready:
             tracks += self._settle(trail, crossed, live)
@@ -59,6 +61,13 @@ class Closing:
             path=smoothed_path(entries, self._rig, self._settings),
             velocity_m_s=way / duration if duration > 0 else np.zeros(3),
         )
+
+
+def _has_neighbour(trail: Trail, live: Sequence[Trail]) -> bool:
+    if not live:
+        return False
+    places = np.array([other.place_m for other in live])
+    return bool(np.linalg.norm(places - trail.place_m, axis=1).min() < NEIGHBOUR_M)
 
 
 def _like(trail: Trail, twin: Trail) -> bool:

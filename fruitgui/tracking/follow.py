@@ -19,6 +19,12 @@ STEADY_M_S2 = 0.15
 TURNING_M_S2 = 4.0
 """Accelerations (one standard deviation) of a belt that runs, and of one that stops or starts."""
 
+RUNNING_SHARE = 0.4
+"""Below this share of the top speed a belt counts as stopped, or nearly."""
+
+RUN_STD_M = 0.005
+"""What a way measured by fruit that come and go is uncertain by, pose errors included."""
+
 SIDEWAYS_M_S2 = 0.01
 SAME_PLACE_STD_M = 0.009
 PLACE_FLOOR_M = 0.003
@@ -36,6 +42,9 @@ class BeltModel(Protocol):
 
     def motion(self) -> BeltMotion:
         """Return the velocity now."""
+
+    def mean_motion(self) -> BeltMotion:
+        """Return the mean velocity while it ran."""
 
     def travelled_m(self) -> F64:
         """Return the displacement (3,) since the beginning."""
@@ -64,6 +73,10 @@ class ConstantBelt:
         """Return the velocity that was given."""
         return self._motion
 
+    def mean_motion(self) -> BeltMotion:
+        """Return the velocity that was given."""
+        return self._motion
+
     def travelled_m(self) -> F64:
         """Return the displacement (3,) since the beginning."""
         return self._travelled
@@ -88,6 +101,19 @@ class BeltFollower:
         self._top_speed = float(np.linalg.norm(self._velocity))
         self._heading: F64 | None = self._velocity / self._top_speed if self._top_speed > 0.02 else None
         self._travelled: F64 = np.zeros(2)
+        self._ran_m: F64 = np.zeros(2)
+        self._ran_s = 0.0
+        self._marked: F64 = np.zeros(2)
+
+    def mean_motion(self) -> BeltMotion:
+        """Return the mean velocity between captures that showed the belt running, reference frame."""
+        if self._ran_s < 0.5:
+            return self.motion()
+        std = RUN_STD_M / max(float(np.linalg.norm(self._ran_m)), RUN_STD_M)
+        mean = self._ran_m / self._ran_s
+        back = self._frame.rotation.T
+        spread = (std * float(np.linalg.norm(mean))) ** 2 * np.diag([1.0, 1.0, 0.0])
+        return BeltMotion(back @ np.append(mean, 0.0), back @ spread @ back.T)
 
     def motion(self) -> BeltMotion:
         """Return the velocity now, reference frame."""
@@ -117,8 +143,11 @@ class BeltFollower:
         if self._heading is not None:
             along = np.outer(self._heading, self._heading)
             across = along * acceleration_m_s2**2 + (np.eye(2) - along) * SIDEWAYS_M_S2**2
-        b = np.array([[0.5 * duration_s**2], [duration_s]])
-        return np.asarray(np.kron(b @ b.T, across))
+        far, fast = 0.5 * duration_s**2, duration_s
+        Q = np.empty((4, 4))
+        Q[:2, :2], Q[2:, 2:] = far * far * across, fast * fast * across
+        Q[:2, 2:] = Q[2:, :2] = far * fast * across
+        return Q
 
     def correct(self, position_m: F64, variance_m2: F64, looks: F64, fit: Bools, seen: Measured) -> F64:
         """Return what the displacement was mispredicted by, (3,).
@@ -174,9 +203,18 @@ class BeltFollower:
         change = K @ found.shift_m
         self._travelled = self._travelled + change[:2]
         self._velocity = self._velocity + change[2:]
+        self._mark(duration)
         P = self._covariance - K @ S @ K.T
         self._covariance = 0.5 * (P + P.T)
         self._remember_heading()
+
+    def _mark(self, duration_s: float) -> None:
+        """Add the way since the last measurement to that which the belt ran."""
+        way = self._travelled - self._marked
+        self._marked = self._travelled.copy()
+        if duration_s < 1.0 and float(np.linalg.norm(way)) > RUNNING_SHARE * self._top_speed * duration_s:
+            self._ran_m = self._ran_m + way
+            self._ran_s += duration_s
 
     def _turning(self, shift_m: F64, duration_s: float) -> float:
         return max(TURNING_M_S2, 2.0 * float(np.linalg.norm(shift_m)) / duration_s**2)

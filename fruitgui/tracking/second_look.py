@@ -46,12 +46,17 @@ class Claims:
 
     def free_views(self) -> Ints:
         """Return the views that belong to nothing yet."""
-        return np.setdiff1d(np.arange(len(self.seen)), np.concatenate([self.views, self.covering]).astype(np.intp))
+        free = np.ones(len(self.seen), dtype=bool)
+        free[self.views] = False
+        free[list(self.covering)] = False
+        return np.flatnonzero(free)
 
     def free_tracks(self, number: int) -> Ints:
         """Return which of `number` tracks no view belongs to."""
-        covered = [track for tracks in self.merged for track in tracks]
-        return np.setdiff1d(np.arange(number), np.concatenate([self.tracks, covered]).astype(np.intp))
+        free = np.ones(number, dtype=bool)
+        free[self.tracks] = False
+        free[[track for tracks in self.merged for track in tracks]] = False
+        return np.flatnonzero(free)
 
     def with_pairs(self, tracks: Sequence[int], views: Sequence[int]) -> Claims:
         """Return these claims and more pairs."""

@@ -82,7 +82,12 @@ class Tracker:
 
     @property
     def belt(self) -> BeltMotion | None:
-        """The belt's velocity now; None while the fruit have not shown it."""
+        """The belt's mean velocity while it ran; None while the fruit have not shown it."""
+        return None if self._belt is None else self._belt.mean_motion()
+
+    @property
+    def belt_now(self) -> BeltMotion | None:
+        """The belt's velocity at the last observation; None while the fruit have not shown it."""
         return None if self._belt is None else self._belt.motion()
 
     @property
@@ -152,8 +157,10 @@ class Tracker:
         return np.array([trail.looks for trail in self._trails])
 
     def _steady(self) -> Bools:
-        """Tell which tracks were seen lately enough to say how the belt moved."""
-        return np.array([trail.unseen < 5 for trail in self._trails], dtype=bool)
+        """Tell which tracks can say how the belt moved: seen lately, and not only cut by an edge."""
+        lately = np.array([trail.unseen < 5 for trail in self._trails], dtype=bool)
+        clear = np.array([trail.clear > 0 for trail in self._trails], dtype=bool)
+        return lately & clear if (lately & clear).any() else lately
 
     def _claims(self, seen: Measured) -> Claims:
         none = np.zeros(0, dtype=np.intp)
