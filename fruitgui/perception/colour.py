@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 
 from fruitgui.frame import F32, F64, U8, Ints
@@ -42,6 +43,9 @@ LIGHT_NAMES = ("light_value_p50",)
 TEXTURE_NAMES = ("texture_spread", "texture_dark", "texture_bright", "texture_step", "texture_specular_share")
 COLOUR_NAMES = (*CHROMA_NAMES, *LIGHT_NAMES, *TEXTURE_NAMES)
 
+STEP = 2
+"""Distance in the calm picture at which steps of brightness are taken: four pixels of the sensor's."""
+
 DARK_LEVEL = 4.0
 """Added to levels before logarithms and ratios: noise in the dark must not look like colour."""
 
@@ -63,34 +67,56 @@ class BeltColour:
     value: float
 
 
-def belt_colour(color: U8, labels: U8, limits: DepthLimits, every: int = 16) -> BeltColour:
-    """Return the belt's colour: medians over a coarse grid of the pixels of the crop that can hold fruit and do not."""
-    grid = color[limits.crop][::every, ::every].reshape(-1, 3)
-    bare = np.flatnonzero((labels[::every, ::every] == 0) & (limits.farthest_mm[::every, ::every] > 0))
-    logs = LOGARITHM[grid[bare] if len(bare) >= 16 else grid]
-    red_green, blue_green, value = np.median(
-        np.stack([logs[:, 0] - logs[:, 1], logs[:, 2] - logs[:, 1], logs[:, 1]]), axis=1
-    ).tolist()
-    return BeltColour(red_green, blue_green, value)
+def calm_picture(color: U8, limits: DepthLimits) -> U8:
+    """Return the crop of a picture at half its size, each pixel the mean of six by six: without the grain of the dark.
+
+    Single pixels' shot noise would look like colour: spreads and saturation grow by many of their own spreads
+    between 500 and 120 lx. Pixels three from a fruit's edge still see nothing but the fruit.
+    """
+    rows, columns = limits.shape
+    half = cv2.resize(color[limits.crop], (max(columns // 2, 1), max(rows // 2, 1)), interpolation=cv2.INTER_LINEAR)
+    return np.asarray(cv2.blur(half, (3, 3)))
 
 
-def colour_features(pixels: Pixels, color: U8, belt: BeltColour, limits: DepthLimits) -> F64:
+def belt_colour(calm: U8, labels: U8, limits: DepthLimits, every: int = 8) -> BeltColour:
+    """Return the belt's colour: medians over a coarse grid of the pixels of the crop that can hold fruit and do not.
+
+    Args:
+        calm: see `calm_picture`.
+        labels: (h, w) of the crop, 0 where no fruit is.
+        limits: of the sensor.
+        every: spacing of the grid in the calm picture.
+    """
+    grid = calm[::every, ::every]
+    rows, columns = grid.shape[:2]
+    reach = slice(None, None, 2 * every)
+    bare = (labels[reach, reach] == 0) & (limits.farthest_mm[reach, reach] > 0)
+    logs = LOGARITHM[grid[bare[:rows, :columns]] if np.count_nonzero(bare) >= 16 else grid.reshape(-1, 3)]
+    green = logs[:, 1]
+    ratios = np.stack([logs[:, 0] - green, logs[:, 2] - green, green])
+    return BeltColour(*np.median(ratios, axis=1).tolist())
+
+
+def colour_features(pixels: Pixels, calm: U8, belt: BeltColour, limits: DepthLimits) -> F64:
     """Return the colour features (N, 26) of each fruit, from pixels at least three from its edge where it has such.
 
     Args:
         pixels: of all fruit.
-        color: (height, width, 3) RGB, contiguous.
+        calm: see `calm_picture`.
         belt: its colour in the same picture.
         limits: of the sensor.
     """
+    rows, columns = calm.shape[:2]
     deepest = np.maximum.reduceat(pixels.edge_px, np.minimum(pixels.starts, len(pixels.edge_px) - 1))
-    inner = np.flatnonzero(pixels.edge_px > np.minimum(3.0, 0.5 * deepest).astype(np.float32).take(pixels.owner))
-    owner = pixels.owner.take(inner)
-    at = limits.pixels.take(pixels.index.take(inner))
-    picture = color.reshape(-1, 3)
-    rgb = picture.take(at, axis=0)
-    beside = picture[:, 1].take(np.minimum(at + 1, len(picture) - 1))
-    return _Inner(owner, pixels.fruit, rgb, beside).features(belt)
+    enough = np.minimum(3.0, 0.5 * deepest).astype(np.float32).take(pixels.owner)
+    inner = np.flatnonzero(pixels.edge_px > enough)
+    row, column = np.divmod(pixels.index.take(inner), limits.shape[1])
+    row, column = np.minimum(row >> 1, rows - 1), np.minimum(column >> 1, columns - 1)
+    beside = np.minimum(column + STEP, columns - 1)
+    picture = calm.reshape(-1, 3)
+    rgb = picture.take(row * columns + column, axis=0)
+    step = np.where(pixels.beside_px.take(inner) > 3.0, picture[:, 1].take(row * columns + beside), rgb[:, 1])
+    return _Inner(pixels.owner.take(inner), pixels.fruit, rgb, step).features(belt)
 
 
 class _Inner:

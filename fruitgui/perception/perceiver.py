@@ -9,7 +9,7 @@ from fruitgui.errors import InputError
 from fruitgui.frame import F32, F64, U8, U16, Bools, Frame, Intrinsics
 from fruitgui.geometry.plane import Surface
 from fruitgui.perception.centre import Centres, find_centres
-from fruitgui.perception.colour import belt_colour, colour_features
+from fruitgui.perception.colour import belt_colour, calm_picture, colour_features
 from fruitgui.perception.features import shape_features
 from fruitgui.perception.limits import depth_limits
 from fruitgui.perception.outline import fit_ellipses, joined
@@ -87,7 +87,8 @@ class Perceiver:
         centres = find_centres(pixels, rough_m, whole, limits, settings)
         away_m = centres.centre_m[:, 2]
         shapes = shape_features(pixels, ellipses, centres.top_m, away_m, limits)
-        colours = colour_features(pixels, color, belt_colour(color, parts.labels, limits), limits)
+        calm = calm_picture(color, limits)
+        colours = colour_features(pixels, calm, belt_colour(calm, parts.labels, limits), limits)
         is_fruit = self._is_fruit(pixels, centres, ellipses.axes_px[:, 0] * away_m / limits.focal_px)
         return build_views(
             frame, color, limits, np.flatnonzero(is_fruit).tolist(), settings.max_points,

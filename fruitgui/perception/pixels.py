@@ -14,6 +14,7 @@ ENOUGH_PIXELS = 16_000
 some nine pixels (method 1.2), so what is left out would tell nothing new."""
 
 BINS = 96
+BESIDE = 4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,6 +30,7 @@ class Pixels:
         height_m: (P,) float32 above the belt; meaningless where not valid.
         ray_x, ray_y: (P,) float32, x/z and y/z.
         edge_px: (P,) float32, distance from the edge of the fruit.
+        beside_px: (P,) float32, the same four pixels to the right.
         every: pixels of the picture that one sample stands for.
     """
 
@@ -42,6 +44,7 @@ class Pixels:
     ray_x: F32
     ray_y: F32
     edge_px: F32
+    beside_px: F32
     every: int
 
     @property
@@ -128,6 +131,7 @@ def gather_pixels(labels: U8, solid: U8, edge_px: F32, depth_mm: U16, limits: De
         ray_x=limits.ray_x.take(index),
         ray_y=limits.ray_y.take(index),
         edge_px=edge_px.reshape(-1).take(index),
+        beside_px=edge_px.reshape(-1).take(index + BESIDE, mode="clip"),
         every=down * across,
     )
 
