@@ -25,6 +25,8 @@ from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 
 LEAST_MOVED_PX = 60
+WORST_POSITION_STD_M = 0.0012
+WORST_ANGLE_STD_RAD = float(np.radians(0.08))
 
 
 def calibrate(
@@ -60,7 +62,7 @@ def calibrate(
         return _refusal(reasons, averaged, belts, [])
     ready = {sensor: Ready(relief(averaged[sensor], belts[sensor])) for sensor in sensors}
     tried = _registered(ready, progress, cancelled)
-    edges = [_edge(pair) for pair in tried if pair.covariance is not None]
+    edges = [edge for pair in tried if (edge := _edge(pair)) is not None]
     linked = graph.groups(sensors, edges)
     if len(linked) > 1:
         return _refusal(_unlinked(linked, tried), averaged, belts, tried)
@@ -69,7 +71,9 @@ def calibrate(
     if reasons:
         return _refusal(reasons, averaged, belts, tried)
     progress(0.95, "Placing the sensors")
-    return _accepted(reference, ready, solution, tried, with_paper=with_paper)
+    placed = _accepted(reference, ready, solution, tried, with_paper=with_paper)
+    reasons = _loose(placed)
+    return _refusal(reasons, averaged, belts, tried) if reasons else placed
 
 
 def _checked(sensors: list[str], reference: str | None) -> str:
@@ -116,9 +120,9 @@ def _registered(ready: Mapping[str, Ready], progress: Progress, cancelled: Cance
     return tried
 
 
-def _edge(pair: Registration) -> Edge:
-    assert pair.best is not None
-    assert pair.covariance is not None
+def _edge(pair: Registration) -> Edge | None:
+    if pair.best is None or pair.covariance is None:
+        return None
     weight = pair.best.evidence.log_likelihood
     return Edge(pair.source, pair.target, pair.best.shift, pair.covariance, weight)
 
@@ -157,6 +161,20 @@ def _contradictions(solution: Solution, ready: Mapping[str, Ready]) -> list[Reas
             what = f"What {source} and {target} see contradicts the poses found through other sensors."
             reasons.append(reason("ambiguous", (target, source), what))
     return reasons
+
+
+def _loose(placed: Calibration) -> list[Reason]:
+    """Return which sensors what is in common holds too loosely to be trusted within 2 mm and 0.1°."""
+    return [
+        reason(
+            "too_little_structure",
+            (sensor,),
+            f"What {sensor} has in common with the others holds it only to {1e3 * one.position_std_m:.1f} mm and "
+            f"{np.degrees(one.angle_std_rad):.2f}°.",
+        )
+        for sensor, one in placed.sensors.items()
+        if one.position_std_m > WORST_POSITION_STD_M or one.angle_std_rad > WORST_ANGLE_STD_RAD
+    ]
 
 
 def _refusal(

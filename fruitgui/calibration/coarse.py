@@ -24,20 +24,27 @@ HYPOTHESES = 12
 
 
 def hypotheses(source: Relief, target: Relief) -> list[Shift]:
-    """Return shifts from the source's belt frame into the target's, best first, materially different from each other."""
+    """Return materially different shifts from the source's belt frame into the target's, best first."""
     found = from_constellations(source, target) + from_plans(source, target)
     at_m = source.peaks_m[:, :2] if len(source.peaks_m) else source.background_m[:, :2]
     return distinct(found, at_m, 0.02, np.radians(3.0))[: 2 * HYPOTHESES]
 
 
 def distinct(shifts: list[Shift], at_m: F64, apart_m: float, turned_rad: float) -> list[Shift]:
-    """Drop every shift that differs from an earlier one by less than both bounds."""
-    kept: list[Shift] = []
-    for shift in shifts:
-        differences = (shift.apart(other, at_m) for other in kept)
-        if all(far > apart_m or turned > turned_rad for far, turned in differences):
-            kept.append(shift)
-    return kept
+    """Drop every shift that differs from an earlier one by less than both bounds (rms over points (N, 2))."""
+    if not shifts or not len(at_m):
+        return shifts[:1]
+    heading = np.array([shift.heading_rad for shift in shifts])
+    centre = at_m.mean(axis=0)
+    places = np.array([shift.apply(centre) for shift in shifts])
+    radius = float(np.sqrt(((at_m - centre) ** 2).sum(axis=1).mean()))
+    kept: list[int] = []
+    for i in range(len(shifts)):
+        turned = np.abs((heading[kept] - heading[i] + np.pi) % (2 * np.pi) - np.pi)
+        far = np.hypot(np.linalg.norm(places[kept] - places[i], axis=1), 2 * radius * np.sin(turned / 2))
+        if ((far > apart_m) | (turned > turned_rad)).all():
+            kept.append(i)
+    return [shifts[i] for i in kept]
 
 
 def from_constellations(source: Relief, target: Relief) -> list[Shift]:

@@ -105,8 +105,8 @@ def testimony(source: Sight, target: Sight, shift: Shift) -> Testimony:
     relief = source.relief
     verdict, v, u = target.judge(shift.apply(relief.points_m))
     count = relief.things
-    met = np.bincount(relief.thing, verdict == MET, count)
-    pierced = np.bincount(relief.thing, verdict == PIERCED, count)
+    met: F64 = np.bincount(relief.thing, (verdict == MET).astype(np.float64), count).astype(np.float64)
+    pierced: F64 = np.bincount(relief.thing, (verdict == PIERCED).astype(np.float64), count).astype(np.float64)
     cells = _background_cells(relief.background_m, target.judge(shift.apply(relief.background_m))[0])
     return Testimony(
         met=met,

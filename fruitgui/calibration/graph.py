@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -17,7 +18,7 @@ LOOP_BOUND = 25.0
 """Squared, normalised error per edge beyond which a loop does not close (3 degrees of freedom, 5e-6 of true ones
 after the floor below)."""
 
-EDGE_FLOOR = np.diag([0.0004, 0.0004, 0.0004]) ** 2
+EDGE_FLOOR = np.diag([0.0003, 0.0003, 0.0004]) ** 2
 """Errors that pairs do not know of (m, m, rad): what a sensor bends in the picture."""
 
 
@@ -156,7 +157,7 @@ def _started(reference: str, edges: Sequence[Edge]) -> dict[str, Shift]:
     for sensor in sensors:
         path = _path(sensor, reference, edges)
         place = Shift(0.0, 0.0, 0.0)
-        for here, there in zip(path[:-1], path[1:], strict=True):
+        for here, there in pairwise(path):
             place = by_pair[here, there].after(place)
         places[sensor] = place
     return places
@@ -177,12 +178,12 @@ def _solved(reference: str, edges: Sequence[Edge]) -> tuple[dict[str, Shift], di
             g += J.T @ omega @ e
         if not free:
             break
-        step = -np.linalg.solve(H, g)
+        step: F64 = -np.linalg.solve(H, g)
         places |= {s: places[s].about(np.zeros(2), step[column[s] : column[s] + 3]) for s in free}
         if np.abs(step).max() < 1e-9:
             break
-    spread = np.linalg.inv(H) if free else H
-    covariances = {s: spread[column[s] : column[s] + 3, column[s] : column[s] + 3] for s in free}
+    spread: F64 = np.asarray(np.linalg.inv(H) if free else H)
+    covariances: dict[str, F64] = {s: spread[column[s] : column[s] + 3, column[s] : column[s] + 3] for s in free}
     return places, {reference: np.zeros((3, 3)), **covariances}
 
 

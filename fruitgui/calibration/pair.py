@@ -19,8 +19,8 @@ DIFFERENT_M, DIFFERENT_RAD = 0.008, float(np.radians(0.7))
 FEWEST_THINGS = 3
 LEAST_EVIDENCE = 22.0
 LEAST_MARGIN = 12.0
-WORST_POSITION_STD_M = 0.0009
-WORST_ANGLE_STD_RAD = float(np.radians(0.045))
+WORST_POSITION_STD_M = 0.0015
+WORST_HEADING_STD_RAD = float(np.radians(0.15))
 
 
 class Ready:
@@ -165,7 +165,7 @@ def _verdict(source: Ready, target: Ready, ranked: list[tuple[Hypothesis, Shift]
         return _conflict(names, said)
     covariance = fine.covariance(source.relief, best.fit)
     position = float(np.sqrt(covariance[0, 0] + covariance[1, 1]))
-    if position > WORST_POSITION_STD_M or covariance[2, 2] > WORST_ANGLE_STD_RAD**2:
+    if position > WORST_POSITION_STD_M or covariance[2, 2] > WORST_HEADING_STD_RAD**2:
         return "too_little_structure", (
             f"What {names} have in common holds them only to {1e3 * position:.1f} mm and "
             f"{np.degrees(np.sqrt(covariance[2, 2])):.2f}°."
@@ -179,7 +179,7 @@ def _conflict(names: str, said: Evidence) -> tuple[Code, str]:
             f"{said.agreeing} things stand at the same place for {names}, but {said.conflicting} where the other "
             "sees empty belt: something was moved between their captures."
         )
-    return "too_little_overlap", f"{names} have too little in common: {said.conflicting} things contradict the best fit."
+    return "too_little_overlap", f"{names} have too little in common: {said.conflicting} things contradict the best."
 
 
 def _refused(

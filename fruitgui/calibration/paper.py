@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -60,7 +61,7 @@ def paper_poses(
     poses = {reference: Pose()}
     for sensor, path in solution.paths.items():
         pose = Pose()
-        for here, there in zip(path[:-1], path[1:], strict=True):
+        for here, there in pairwise(path):
             if (here, there) not in steps:
                 start = reliefs[there].frame.inverse() @ starts[here, there].pose() @ reliefs[here].frame
                 steps[here, there] = point_to_point(clouds[here], clouds[there], start)

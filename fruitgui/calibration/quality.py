@@ -16,7 +16,7 @@ from fruitgui.geometry.rig import Rig
 
 GOOD_POSITION_STD_M = 0.001
 GOOD_ANGLE_STD_RAD = float(np.radians(0.05))
-SCALE_DOUBT = 0.004
+SCALE_DOUBT = 0.01
 
 
 def surface_quality(still: Still, belt: Belt, word: Literal["good", "usable", "unlinked"]) -> SensorQuality:
@@ -81,13 +81,13 @@ def belt_warnings(
         scale = pair.quality.scale
         if abs(scale - 1.0) > SCALE_DOUBT:
             texts.append(
-                f"Distances measured by {pair.target} are {100 * (scale - 1):+.1f} % of those measured by {pair.source}: "
+                f"Distances seen by {pair.target} are {100 * (scale - 1):+.1f} % longer than by {pair.source}: "
                 "one of them has a depth scale error; correct it against something of known height."
             )
     for sensor, one in quality.items():
         if one.word == "usable":
             texts.append(
-                f"{sensor} is placed to {1e3 * one.position_std_m:.1f} mm and {np.degrees(one.angle_std_rad):.2f}° only; "
+                f"{sensor} is placed to {1e3 * one.position_std_m:.1f} mm, {np.degrees(one.angle_std_rad):.2f}° only; "
                 "more fruit in the common view would make it better."
             )
     return tuple(texts)

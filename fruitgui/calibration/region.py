@@ -17,6 +17,9 @@ from fruitgui.geometry.plane import Plane
 
 CELL_M = 0.008
 WIDEN_AT_MOST_M = 0.08
+BRIDGED_M = 0.06
+"""Rows of fruit and their shadows may part the belt that is seen; gaps up to this are belt all the same."""
+
 RAIL_HEIGHTS_M = (0.012, 0.3)
 FARTHEST_M = 4.0
 
@@ -51,7 +54,8 @@ def _hull_of_belt(points: F64, cell_m: float) -> F64 | None:
     np.add.at(raster, (index[:, 1], index[:, 0]), 1)
     seen = cv2.morphologyEx((raster > 0).astype(np.uint8), cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8))
     solid = cv2.morphologyEx(seen, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
-    bridged = cv2.dilate(solid, np.ones((3, 3), np.uint8))
+    reach = 2 * round(BRIDGED_M / 2 / cell_m) + 1
+    bridged = cv2.dilate(solid, np.ones((reach, reach), np.uint8))
     count, names, stats, _ = cv2.connectedComponentsWithStats(bridged, connectivity=8)
     if count < 2:
         return None

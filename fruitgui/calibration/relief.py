@@ -21,7 +21,7 @@ CELL_M = 0.006
 LOWEST_M = 0.012
 HIGHEST_M = 0.35
 LARGEST_THING_M = 0.45
-POINTS_PER_THING = 500
+POINTS_PER_THING = 800
 
 UNSEEN, EMPTY, RISEN = 0, 1, 2
 
@@ -92,7 +92,7 @@ class Relief:
 
 def edge_px(still: Still) -> float:
     """Return how far from a depth edge a reading must be to be believed: fattening grows with resolution."""
-    return max(2.0, 3.5 * still.intrinsics.width / 640)
+    return max(1.0, 1.0 * still.intrinsics.width / 640)
 
 
 def relief(still: Still, belt: Belt) -> Relief:
@@ -129,7 +129,7 @@ def relief(still: Still, belt: Belt) -> Relief:
 def _from_edges(still: Still) -> F64:
     """Return each pixel's distance, in pixels, from the nearest jump of depth or missing reading."""
     inverse = still.inverse_depth
-    jump = 4.0 * INVERSE_STEP
+    jump = 3.2 * INVERSE_STEP
     edge = ~still.seen
     for axis in (0, 1):
         steps = np.abs(np.diff(inverse, axis=axis)) > jump

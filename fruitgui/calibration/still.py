@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import cv2
 import numpy as np
@@ -113,7 +114,8 @@ def _robust_mean(inverse: Sequence[F32]) -> F32:
         total += np.where(near, one, 0)
         count += near
     enough = count * 2 >= len(inverse)
-    return np.divide(total, count, out=np.zeros_like(total), where=enough & (count > 0))
+    mean: F32 = np.divide(total, count, out=np.zeros_like(total), where=enough & (count > 0))
+    return mean
 
 
 def _median_of_readings(stack: F32) -> F32:
@@ -148,4 +150,4 @@ def _moved(inverse: Sequence[F32]) -> Bools:
 def _in_groups(inverse: Sequence[F32], most: int) -> list[Sequence[F32]]:
     groups = min(most, len(inverse))
     bounds = np.linspace(0, len(inverse), groups + 1).round().astype(int)
-    return [inverse[a:b] for a, b in zip(bounds[:-1], bounds[1:], strict=True)]
+    return [inverse[a:b] for a, b in pairwise(bounds)]

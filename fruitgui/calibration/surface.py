@@ -66,7 +66,8 @@ def fit_belt(still: Still) -> Belt | None:
     away = _away_from_objects(still, fit)
     if (on & away).sum() > 0.3 * on.sum():
         fit, on = planes.refine(still, fit.coefficients, away)
-    surface = Surface(fit.plane, belt_region(still, fit.plane, on))
+    flush = still.seen & (np.abs(still.inverse_depth - planes.rays_of(still) @ fit.coefficients) < planes.ON_PLANE)
+    surface = Surface(fit.plane, belt_region(still, fit.plane, flush))
     warnings = _doubts(still.sensor, [ratings[i] for i in order])
     distance_m = float(np.median(1.0 / still.inverse_depth[on]))
     return Belt(surface, _covariance_on_plane(fit), fit.spread * distance_m**2, on, warnings)
@@ -127,8 +128,8 @@ def _lies_under(plane: Plane, other: Plane, still: Still, other_coefficients: F6
     on = (inverse > 0) & (np.abs(inverse - planes.rays_of(still, stride) @ other_coefficients) < planes.ON_PLANE)
     if on.sum() < 0.1 * (inverse > 0).sum():
         return False
-    sides = [on[:4].any(axis=0).sum(), on[-4:].any(axis=0).sum(), on[:, :4].any(axis=1).sum(), on[:, -4:].any(axis=1).sum()]
-    return sum(int(side) > 8 for side in sides) >= 2
+    sides = (on[:4].any(axis=0), on[-4:].any(axis=0), on[:, :4].any(axis=1), on[:, -4:].any(axis=1))
+    return sum(int(side.sum()) > 8 for side in sides) >= 2
 
 
 def _away_from_objects(still: Still, fit: PlaneFit) -> Bools:
@@ -137,7 +138,7 @@ def _away_from_objects(still: Still, fit: PlaneFit) -> Bools:
     height_m = fit.plane.height_m(still.points())
     risen = still.seen & (height_m > 0.008 + 2 * planes.ON_PLANE * z**2)
     margin = 2 * max(2, round(6 * still.intrinsics.width / 640)) + 1
-    return ~cv2.dilate(risen.astype(np.uint8), np.ones((margin, margin), np.uint8)).astype(bool)
+    return np.asarray(cv2.dilate(risen.astype(np.uint8), np.ones((margin, margin), np.uint8)) == 0)
 
 
 def _covariance_on_plane(fit: PlaneFit) -> F64:

@@ -1,0 +1,198 @@
+"""Register two views of any scene, with no belt and no guess: the error study's own registration.
+
+Features of shape (FPFH, Rusu 2009) give several first guesses by RANSAC; each is refined by
+point-to-plane ICP and judged by what one view sees where the other looks through. Views whose
+guesses contradict each other, or that meet over too little, are left out with a reason.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from fruitgui.calibration.paper import point_to_point
+from fruitgui.calibration.still import INVERSE_NOISE, INVERSE_STEP, Still
+from fruitgui.frame import F64
+from fruitgui.geometry.pose import Pose
+
+if TYPE_CHECKING:
+    import open3d as o3d
+
+VOXEL_M = 0.05
+GUESSES = 4
+FARTHEST_M = 3.5
+LEAST_OVERLAP = 0.35
+MOST_THROUGH = 0.06
+LEAST_INFORMATION = 0.004
+SAME_M, SAME_RAD = 0.05, float(np.radians(4.0))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scan:
+    """One view made ready: points (N, 3) with normals for ICP, and a thinned cloud with features for guesses."""
+
+    still: Still
+    points_m: F64
+    normals: F64
+    thin: o3d.geometry.PointCloud
+    features: o3d.pipelines.registration.Feature
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Match:
+    """A registration of two views of any scene.
+
+    Attributes:
+        pose: source's optical frame → target's; None where it is left out.
+        paper: what plain point-to-point ICP makes of the same first guess; None where left out.
+        reason: why it is left out, or empty.
+        overlap: share of the source that meets the target.
+        starts: the first guesses.
+    """
+
+    pose: Pose | None
+    paper: Pose | None
+    reason: str
+    overlap: float
+    starts: tuple[Pose, ...]
+
+
+def scan(still: Still) -> Scan:
+    """Prepare one view."""
+    import open3d as o3d
+
+    stride = max(1, round(still.intrinsics.width / 320))
+    points = still.points()[::stride, ::stride].reshape(-1, 3).astype(np.float64)
+    points = points[(points[:, 2] > 0) & (points[:, 2] < FARTHEST_M)]
+    cloud = o3d.geometry.PointCloud()
+    cloud.points = o3d.utility.Vector3dVector(points)
+    fine = cloud.voxel_down_sample(0.02)
+    fine.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(0.07, 30))
+    fine.orient_normals_towards_camera_location(np.zeros(3))
+    thin = cloud.voxel_down_sample(VOXEL_M)
+    thin.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(2 * VOXEL_M, 30))
+    thin.orient_normals_towards_camera_location(np.zeros(3))
+    features = o3d.pipelines.registration.compute_fpfh_feature(
+        thin, o3d.geometry.KDTreeSearchParamHybrid(5 * VOXEL_M, 100)
+    )
+    return Scan(still, np.asarray(fine.points), np.asarray(fine.normals), thin, features)
+
+
+def register_any(source: Scan, target: Scan, seed: int = 0, known: Match | None = None) -> Match:
+    """Find the pose of the source in the target's frame with no guess, or say why it cannot be trusted.
+
+    `known` is the match of the reverse pair, if there is one: its first guesses, turned round, serve again.
+    """
+    starts = _guesses(source, target, seed) if known is None else [start.inverse() for start in known.starts]
+    found = [
+        (_judged(source, target, refined), start, refined)
+        for start in starts
+        if (refined := refine_any(source, target, start)) is not None
+    ]
+    if not found:
+        return Match(None, None, "no first guess fits", 0.0, tuple(starts))
+    found.sort(key=lambda entry: -entry[0][0] + 4 * entry[0][1])
+    (overlap, through, information), start, pose = found[0]
+    why = _doubt(overlap, through, information)
+    if not why:
+        others = [(one[0] - 4 * one[1], other) for one, _, other in found[1:]]
+        if any(score > 0.85 * (overlap - 4 * through) and _differs(pose, other) for score, other in others):
+            why = "ambiguous: two different poses fit about as well"
+    if why:
+        return Match(None, None, why, overlap, tuple(starts))
+    paper = point_to_point(source.points_m, target.points_m, start, reach_m=0.05)
+    return Match(pose, paper, "", overlap, tuple(starts))
+
+
+def _doubt(overlap: float, through: float, information: float) -> str:
+    if overlap < LEAST_OVERLAP:
+        return f"too little overlap: {overlap:.0%} of the source meets the target"
+    if through > MOST_THROUGH:
+        return f"contradicted: the target looks through {through:.0%} of the source"
+    if information < LEAST_INFORMATION:
+        return "too little structure: surfaces could slide on each other"
+    return ""
+
+
+def _differs(one: Pose, other: Pose) -> bool:
+    moved, turned = one.distance_to(other, np.array([[0.0, 0.0, 1.5]]))
+    return moved > SAME_M or turned > SAME_RAD
+
+
+def _guesses(source: Scan, target: Scan, seed: int) -> list[Pose]:
+    import open3d as o3d
+
+    registration = o3d.pipelines.registration
+    guesses: list[Pose] = []
+    for k in range(GUESSES):
+        o3d.utility.random.seed(1000 * seed + k)
+        found = registration.registration_ransac_based_on_feature_matching(
+            source.thin,
+            target.thin,
+            source.features,
+            target.features,
+            mutual_filter=True,
+            max_correspondence_distance=1.5 * VOXEL_M,
+            estimation_method=registration.TransformationEstimationPointToPoint(False),
+            ransac_n=3,
+            checkers=[
+                registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
+                registration.CorrespondenceCheckerBasedOnDistance(1.5 * VOXEL_M),
+            ],
+            criteria=registration.RANSACConvergenceCriteria(20_000, 0.999),
+        )
+        matrix = np.asarray(found.transformation)
+        pose = Pose(matrix[:3, :3].copy(), matrix[:3, 3].copy())
+        if found.fitness > 0 and not any(not _differs(pose, other) for other in guesses):
+            guesses.append(pose)
+    return guesses
+
+
+def refine_any(source: Scan, target: Scan, start: Pose) -> Pose | None:
+    """Refine a pose by point-to-plane ICP with a robust kernel, noise growing with z² weighed in by the kernel."""
+    import open3d as o3d
+
+    registration = o3d.pipelines.registration
+    clouds = []
+    for one in (source, target):
+        cloud = o3d.geometry.PointCloud()
+        cloud.points = o3d.utility.Vector3dVector(one.points_m)
+        cloud.normals = o3d.utility.Vector3dVector(one.normals)
+        clouds.append(cloud)
+    matrix = start.matrix
+    for reach_m, scale_m in ((0.12, 0.03), (0.06, 0.015), (0.03, 0.008)):
+        found = registration.registration_icp(
+            clouds[0],
+            clouds[1],
+            reach_m,
+            matrix,
+            registration.TransformationEstimationPointToPlane(registration.TukeyLoss(3 * scale_m)),
+            registration.ICPConvergenceCriteria(max_iteration=30),
+        )
+        matrix = np.asarray(found.transformation)
+        if found.fitness < 0.05:
+            return None
+    return Pose(matrix[:3, :3].copy(), matrix[:3, 3].copy())
+
+
+def _judged(source: Scan, target: Scan, pose: Pose) -> tuple[float, float, float]:
+    """Return the share of the source that meets the target, the share that it looks through, and the least of the
+    normals' spread (how well the weakest direction is held)."""
+    local = pose.apply(source.points_m)
+    camera = target.still.intrinsics
+    ahead = local[:, 2] > 0.3
+    u, v = np.round(np.clip(camera.project(np.where(ahead[:, None], local, 1.0)), -1, 1e5)).astype(int).T
+    inside = ahead & (u >= 0) & (v >= 0) & (u < camera.width) & (v < camera.height)
+    q = np.where(inside, target.still.inverse_depth[np.where(inside, v, 0), np.where(inside, u, 0)], 0.0)
+    known = q > 0
+    gap = q - 1.0 / np.where(ahead, local[:, 2], 1.0)
+    bound = 4 * (INVERSE_STEP + INVERSE_NOISE)
+    met = known & (np.abs(gap) < bound)
+    through = known & (gap < -3 * bound)
+    normals = pose.turn(source.normals)[met]
+    information = float(np.linalg.eigvalsh(normals.T @ normals / max(len(normals), 1))[0]) if met.any() else 0.0
+    return float(met.mean()), float(through.sum() / max(known.sum(), 1)), information
+
+

@@ -1,0 +1,163 @@
+"""The robot-arm experiment (the source's section 2.8): how wrong registration is, against views from known poses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import permutations
+
+import numpy as np
+
+from fruitgui.calibration.arbitrary import Match, Scan, register_any, scan
+from fruitgui.calibration.still import average
+from fruitgui.frame import F64, Frame
+from fruitgui.geometry.pose import Pose
+from fruitgui.geometry.rotation import vector_from_rotation
+from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+
+
+@dataclass(frozen=True, slots=True)
+class Component:
+    """A Gaussian fitted to one component of the error.
+
+    Attributes:
+        mean, std: of the component; R has no unit, T is in metres.
+        normal_p: probability that a Gaussian looks at least this unlike one (Shapiro–Wilk); 1 for fewer than 8 pairs.
+    """
+
+    mean: float
+    std: float
+    normal_p: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Errors:
+    """Errors of one method over all registered pairs.
+
+    Attributes:
+        rotation_rad, translation_m: (N,) angle of R_ICP R_realᵀ and length of T_ICP − T_real.
+        E_R, E_T: (N, 3, 3) and (N, 3), R_ICP − R_real and T_ICP − T_real.
+        R: 3×3 components of E_R. T_m: 3 components of E_T.
+        se3_covariance: (6, 6) of (ω, v), where the real pose is exp([ω]×)(R_ICP X + T_ICP) + v, about zero.
+    """
+
+    rotation_rad: F64
+    translation_m: F64
+    E_R: F64
+    E_T: F64
+    R: tuple[tuple[Component, ...], ...]
+    T_m: tuple[Component, ...]
+    se3_covariance: F64
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    """A pair of views that was not registered, and why."""
+
+    source: int
+    target: int
+    reason: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Study:
+    """The whole experiment.
+
+    Attributes:
+        views: how many. pairs: ordered pairs of them. registered: pairs accepted.
+        product, paper: errors of both methods over the same pairs; None where no pair was registered.
+        left_out: the other pairs.
+    """
+
+    views: int
+    pairs: int
+    registered: int
+    product: Errors | None
+    paper: Errors | None
+    left_out: tuple[LeftOut, ...]
+
+
+def study(
+    views: Sequence[tuple[Frame, Pose]],
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+) -> Study:
+    """Register all ordered pairs of views and compare with their known poses (sensor → fixed frame).
+
+    The reverse of a pair starts from the same first guess turned round: both are registered, one search serves both.
+
+    Raises:
+        CancelledByUserError: `cancelled` said so.
+    """
+    scans: list[Scan] = []
+    for k, (frame, _) in enumerate(views):
+        stop_if(cancelled)
+        progress(0.1 * k / len(views), f"Preparing view {k + 1} of {len(views)}")
+        scans.append(scan(average([frame])))
+    matches: dict[tuple[int, int], Match] = {}
+    pairs = list(permutations(range(len(views)), 2))
+    for done, (source, target) in enumerate(pairs):
+        stop_if(cancelled)
+        progress(0.1 + 0.9 * done / len(pairs), f"Registering view {source + 1} to view {target + 1}")
+        known = matches.get((target, source))
+        matches[source, target] = register_any(scans[source], scans[target], seed=done, known=known)
+    poses = [pose for _, pose in views]
+    return summed_up(poses, matches)
+
+
+def summed_up(poses: Sequence[Pose], matches: Mapping[tuple[int, int], Match]) -> Study:
+    """Compare registrations with the truth."""
+    accepted = {pair: match for pair, match in matches.items() if match.pose is not None}
+    real = [real_pose(poses[source], poses[target]) for source, target in accepted]
+    product = [match.pose for match in accepted.values() if match.pose is not None]
+    paper = [match.paper for match in accepted.values() if match.paper is not None]
+    return Study(
+        views=len(poses),
+        pairs=len(matches),
+        registered=len(accepted),
+        product=errors(product, real) if product else None,
+        paper=errors(paper, real) if paper else None,
+        left_out=tuple(LeftOut(*pair, match.reason) for pair, match in matches.items() if match.pose is None),
+    )
+
+
+def real_pose(source: Pose, target: Pose) -> Pose:
+    """Return R_real = R₁R₂⁻¹, T_real = T₁ − R₁R₂⁻¹T₂ of views given as sensor → fixed.
+
+    R_k, T_k map the fixed frame to view k: the inverse of a row of the poses file. View 1 is the target
+    into which view 2, the source, is registered.
+    """
+    first, second = target.inverse(), source.inverse()
+    rotation = first.rotation @ second.rotation.T
+    return Pose(rotation, first.translation_m - rotation @ second.translation_m)
+
+
+def errors(found: Sequence[Pose], real: Sequence[Pose]) -> Errors:
+    """Return E_R and E_T of every pair, a Gaussian for each component, and the covariance on SE(3)."""
+    E_R = np.array([one.rotation - truth.rotation for one, truth in zip(found, real, strict=True)])
+    E_T = np.array([one.translation_m - truth.translation_m for one, truth in zip(found, real, strict=True)])
+    twists = np.array([_twist(one, truth) for one, truth in zip(found, real, strict=True)])
+    return Errors(
+        rotation_rad=np.linalg.norm(twists[:, :3], axis=1),
+        translation_m=np.linalg.norm(E_T, axis=1),
+        E_R=E_R,
+        E_T=E_T,
+        R=tuple(tuple(gaussian(E_R[:, i, j]) for j in range(3)) for i in range(3)),
+        T_m=tuple(gaussian(E_T[:, i]) for i in range(3)),
+        se3_covariance=twists.T @ twists / len(twists),
+    )
+
+
+def _twist(found: Pose, real: Pose) -> F64:
+    """Return (ω, v) with real = exp([ω]×)(R X + T) + v."""
+    rotation = real.rotation @ found.rotation.T
+    return np.concatenate([vector_from_rotation(rotation), real.translation_m - rotation @ found.translation_m])
+
+
+def gaussian(values: F64) -> Component:
+    """Fit a Gaussian and test whether it is one."""
+    from scipy.stats import shapiro
+
+    if len(values) < 8 or np.ptp(values) < 1e-12:
+        return Component(float(np.mean(values)), float(np.std(values)), 1.0)
+    return Component(float(np.mean(values)), float(np.std(values, ddof=1)), float(shapiro(values[:5000]).pvalue))
