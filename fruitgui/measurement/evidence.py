@@ -193,9 +193,7 @@ def _offset_sigma_m(mount: Mount, middle_m: F64) -> float:
     return float(np.sqrt(variance))
 
 
-def _samples(
-    sightings: list[Sighting], sensor: Ints, places: list[_Place], count: int, rim: int
-) -> tuple[F64, Bools]:
+def _samples(sightings: list[Sighting], sensor: Ints, places: list[_Place], count: int, rim: int) -> tuple[F64, Bools]:
     """Return (V, count + rim, 3) samples in their sensors' optical frames, and which are used.
 
     `count` points away from the edge of each view, then `rim` on the sights

@@ -30,6 +30,12 @@ CONTACT_SIGMA_M = 0.7e-3
 PER_SENSOR = 5
 """Unknowns of each sensor: a shift (3) and its edges' fattening (2)."""
 
+ANYWHERE_M = 0.3
+"""How far the centre may be from where it was: nothing, but enough when all else fails."""
+
+LEAST_VIEW_WEIGHT = 0.2
+"""A view that counts less than this tells of something else."""
+
 LONGEST_STEP = 0.35
 """Most that one step changes the logarithm of an axis."""
 
@@ -43,12 +49,14 @@ class Fit:
         covariance: (6 + K, 6 + K) of the stretch and the harmonics' weights, scaled by the residuals.
         chi2: (V,) mean square of each view's normalised residuals: one where the noise is as the physics says.
         view_weight: (V,) how much each view counted, 0–1.
+        sight: (V, 3) unit vectors from the sensor to the fruit, as it lies, of the views that counted.
     """
 
     state: State
     covariance: F64
     chi2: F64
     view_weight: F64
+    sight: F64
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,11 +75,14 @@ def improve(state: State, evidence: Evidence, prior: Prior, steps: int) -> Fit:
     for _ in range(steps):
         seen = residuals(state, evidence, turning=len(prior.view_information) == 6)
         system = _normal_equations(state, evidence, seen, prior)
-        unknowns = -np.linalg.solve(system.H, system.b)
+        unknowns = -np.asarray(np.linalg.solve(system.H, system.b), dtype=np.float64)
         state = _moved(state, evidence, unknowns, seen, system)
     count = 6 + len(state.shape.weights)
     usual = max(1.0, float(np.average(seen.chi2, weights=seen.view_weight + 1e-9)))
-    return Fit(state, np.linalg.inv(system.H)[:count, :count] * usual, seen.chi2, seen.view_weight)
+    sight = np.matmul(state.turn, evidence.sight[:, : evidence.points].mean(axis=1)[..., None])[..., 0]
+    counted = seen.view_weight > LEAST_VIEW_WEIGHT
+    covariance = np.asarray(np.linalg.inv(system.H), dtype=np.float64)[:count, :count] * usual
+    return Fit(state, covariance, seen.chi2, seen.view_weight, sight[counted])
 
 
 def _moved(state: State, evidence: Evidence, unknowns: F64, seen: Residuals, system: _System) -> State:
@@ -145,6 +156,8 @@ def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: 
         information, pulled = prior.of_sensor(evidence.offset_sigma_m[k], state.offset_m[k], state.edge_px[k])
         H[here, here] += information
         b[here] += pulled
+    centre = slice(count, count + 3)
+    H[centre, centre] += np.eye(3) / ANYWHERE_M**2
     prior.add(H, b, state.shape, state.body)
     _add_contact(H, b, state)
     return _System(H, b, inverse, coupling, b_view)

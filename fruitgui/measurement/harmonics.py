@@ -11,10 +11,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeVar
 
 import numpy as np
 
 from fruitgui.frame import F32, F64, Ints
+
+Real = TypeVar("Real", F32, F64)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,8 +38,8 @@ class Basis:
     degree: Ints
     order: Ints
 
-    def monomials(self, directions: F64) -> F64:
-        """Return the table of monomials (N, M) at unit vectors (N, 3)."""
+    def monomials(self, directions: Real) -> Real:
+        """Return the table of monomials (N, M) at unit vectors (N, 3), in their precision."""
         top = int(self.powers.max())
         x, y, z = (_powers(directions[:, axis], top) for axis in range(3))
         table = np.empty((len(self.powers), len(directions)), dtype=directions.dtype)
@@ -50,15 +53,15 @@ class Basis:
         return np.asarray(self.monomials(directions) @ self.matrix)
 
     def with_slope(self, directions: F32, weights: F64) -> tuple[F32, F32, F32]:
-        """Return, at unit vectors (N, 3), the harmonics (N, K), their weighted sum (N,) and its tangential gradient (N, 3)."""
+        """Return, at unit vectors (N, 3), the harmonics (N, K), their weighted sum g (N,) and the slope of g (N, 3)."""
         sums = np.column_stack([self.matrix @ weights, *(slope @ weights for slope in self.slope)])
-        table = self.monomials(directions) @ np.hstack([self.matrix, sums]).astype(directions.dtype)
+        table: F32 = self.monomials(directions) @ np.hstack([self.matrix, sums]).astype(np.float32)
         level, slope = table[:, -4], table[:, -3:]
         slope = slope - np.einsum("nd,nd->n", slope, directions)[:, None] * directions
         return table[:, :-4], level, slope
 
 
-def _powers(values: F64, top: int) -> list[F64]:
+def _powers(values: Real, top: int) -> list[Real]:
     powers = [np.ones_like(values)]
     for _ in range(top):
         powers.append(powers[-1] * values)
@@ -72,7 +75,7 @@ def basis(degree: int, lowest: int = 3) -> Basis:
     sphere = sphere_points(1200)
     wanted = [(n, m) for n in range(lowest, degree + 1) for m in range(-n, n + 1)]
     values = np.stack([_harmonic(n, m, sphere) for n, m in wanted], axis=1)
-    matrix = np.linalg.lstsq(_table(powers, sphere), values, rcond=None)[0]
+    matrix = np.asarray(np.linalg.lstsq(_table(powers, sphere), values, rcond=None)[0], dtype=np.float64)
     slopes = [_tangential(powers, matrix, axis, sphere) for axis in range(3)]
     orders = np.array(wanted)
     return Basis(powers, matrix, (slopes[0], slopes[1], slopes[2]), orders[:, 0], orders[:, 1])

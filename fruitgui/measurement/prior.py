@@ -1,4 +1,4 @@
-"""What fruit usually are, as widths of Gaussians: nearly round about one axis, smooth, close to where they should be."""
+"""What fruit usually are, as widths of Gaussians: nearly round about one axis, smooth, near where they should be."""
 
 from __future__ import annotations
 
@@ -15,6 +15,9 @@ ROUND_SIGMA = 0.08
 
 ASPECT_SIGMA = 0.4
 """Spread of the logarithm of length over breadth: from flat onions to bananas."""
+
+SIZE_SIGMA = 0.7
+"""Spread of the logarithm of the mean radius about half the height seen: nothing, but enough when all else fails."""
 
 ZONAL_SIGMA = {3: 0.04, 4: 0.026, 5: 0.016, 6: 0.012}
 """Spread of the dents that turn about the axis unchanged (necks of pears, hollows of apples), by degree."""
@@ -37,11 +40,13 @@ class Prior:
     Attributes:
         axes: (6, 6) on the logarithm of the ellipsoid's stretch, order of `shape.SIX`.
         dents: (K,) on the harmonics' weights.
+        log_radius: logarithm of the radius expected, metres.
         view_information: (3,) on each view's own shift, belt frame, or (6,) on its shift and its turn.
     """
 
     axes: F64
     dents: F64
+    log_radius: float
     view_information: F64
 
     def of_sensor(self, offset_sigma_m: float, offset_m: F64, edge_px: F64) -> tuple[F64, F64]:
@@ -55,8 +60,10 @@ class Prior:
     def add(self, H: F64, b: F64, shape: Shape, body: F64) -> None:
         """Add the prior of the shape to the normal equations."""
         count = len(self.dents)
+        log = log_axes(shape, body)
+        log[:3] -= self.log_radius
         H[:6, :6] += self.axes
-        b[:6] += self.axes @ log_axes(shape, body)
+        b[:6] += self.axes @ log
         index = np.arange(6, 6 + count)
         H[index, index] += self.dents
         b[index] += self.dents * shape.weights
@@ -69,11 +76,22 @@ def log_axes(shape: Shape, body: F64) -> F64:
     return np.array([log[0, 0], log[1, 1], log[2, 2], log[0, 1], log[0, 2], log[1, 2]])
 
 
-def shape_prior(degree: int, shift_sigma_m: float, *, axis_known: bool, turn_sigma_rad: float = 0.0) -> Prior:
-    """Return the prior for harmonics up to `degree`; the body's z axis is that of revolution where it is known."""
+def shape_prior(
+    degree: int, shift_sigma_m: float, radius_m: float, *, axis_known: bool, turn_sigma_rad: float = 0.0
+) -> Prior:
+    """Return the prior for a fruit of about a radius and harmonics up to `degree`.
+
+    Args:
+        degree: below three there are none.
+        shift_sigma_m: of each view's own shift along the belt.
+        radius_m: expected, very loosely.
+        axis_known: the body's z axis is that of revolution.
+        turn_sigma_rad: of each view's own turn; at zero there is none.
+    """
     across = ROUND_SIGMA if axis_known else ASPECT_SIGMA
     rows = np.array(
         [
+            np.array([1.0, 1.0, 1.0, 0.0, 0.0, 0.0]) / (3.0 * SIZE_SIGMA),
             np.array([1.0, -1.0, 0.0, 0.0, 0.0, 0.0]) / across,
             np.array([-0.5, -0.5, 1.0, 0.0, 0.0, 0.0]) / ASPECT_SIGMA,
             np.array([0.0, 0.0, 0.0, 2.0, 0.0, 0.0]) / across,
@@ -92,4 +110,4 @@ def shape_prior(degree: int, shift_sigma_m: float, *, axis_known: bool, turn_sig
     view = [shift_sigma_m, shift_sigma_m, HEIGHT_SIGMA_M]
     if turn_sigma_rad:
         view += [turn_sigma_rad] * 3
-    return Prior(rows.T @ rows, dents, np.array(view) ** -2.0)
+    return Prior(rows.T @ rows, dents, float(np.log(radius_m)), np.array(view) ** -2.0)

@@ -24,7 +24,7 @@ FARTHEST_M = 12e-3
 """Farthest along its sight that the surface is looked for from a point."""
 
 FACING = 0.05
-"""x"""
+"""Points count only where the surface faces the sensor more than this, wholly from 0.2 more."""
 
 FREEDOM = 4.0
 """Degrees of freedom of the Student distribution of the residuals."""
@@ -81,8 +81,8 @@ def residuals(state: State, evidence: Evidence, *, turning: bool = False) -> Res
     distance[:, :rim] += along[:, :rim] * facing[:, :rim]
     fattening = state.edge_px[evidence.sensor][:, None, :] - OUTSIDE_PX
     distance[:, rim:] += np.sum(by_edge[:, rim:] * fattening, axis=2)
-    up = p[:, rim:] @ np.array([0.0, 0.0, 1.0]) if not state.turned else np.matmul(p[:, rim:], state.turn[:, :, 2:])[..., 0]
-    weight, chi2, view_weight = _weights(distance, facing, up + state.centre_m[2], evidence)
+    height = np.matmul(p[:, rim:], state.turn[:, :, 2:])[..., 0] + state.centre_m[2]
+    weight, chi2, view_weight = _weights(distance, facing, height, evidence)
     following = np.empty_like(along)
     following[:, :rim] = distance[:, :rim] / np.maximum(facing[:, :rim], 0.15)
     following[:, rim:] = state.along_m[:, rim:] + facing[:, rim:] * steep[:, rim:] / curved
@@ -117,12 +117,11 @@ def _distances(shape: Shape, p: F64) -> tuple[F64, F64, F32, F64]:
     q = p @ shape.matrix.T
     rho = np.sqrt(np.einsum("nd,nd->n", q, q))
     u = q / rho[:, None]
-    level: F64 | float = 0.0
-    outward, few = u, 6 + len(shape.weights)
-    by_shape = np.empty((len(u), few), dtype=np.float32)
+    log, outward = np.log(rho), u
+    by_shape = np.empty((len(u), 6 + len(shape.weights)), dtype=np.float32)
     if shape.basis is not None:
         by_shape[:, 6:], level, slope = shape.basis.with_slope(u.astype(np.float32), shape.weights)
-        outward = u - slope
+        log, outward = log - level, u - slope
     ux, uy, uz = u.T
     nx, ny, nz = outward.T
     by_shape[:, 0], by_shape[:, 1], by_shape[:, 2] = nx * ux, ny * uy, nz * uz
@@ -130,7 +129,7 @@ def _distances(shape: Shape, p: F64) -> tuple[F64, F64, F32, F64]:
     gradient = (outward @ shape.matrix) / rho[:, None]
     steep = np.sqrt(np.einsum("nd,nd->n", gradient, gradient))
     by_shape *= (-1.0 / steep[:, None]).astype(np.float32)
-    return (np.log(rho) - level) / steep, gradient / steep[:, None], by_shape, steep
+    return log / steep, gradient / steep[:, None], by_shape, steep
 
 
 def _by_edge(shift: F64, evidence: Evidence) -> F64:

@@ -77,7 +77,7 @@ def surface(shape: Shape) -> Surface:
     directions = sphere_points(GRID)
     harmonics = grid_harmonics(shape.degree)
     radius = np.exp(harmonics @ shape.weights)
-    inverse = np.linalg.inv(shape.matrix)
+    inverse = np.asarray(np.linalg.inv(shape.matrix), dtype=np.float64)
     return Surface((directions * radius[:, None]) @ inverse.T, radius, inverse, harmonics)
 
 

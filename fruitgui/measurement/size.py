@@ -15,32 +15,74 @@ from fruitgui.measurement.fruit import Quantity, Size
 from fruitgui.measurement.harmonics import basis
 from fruitgui.measurement.path import carried
 from fruitgui.measurement.prior import FATTENING_PX, shape_prior
-from fruitgui.measurement.shape import Shape
+from fruitgui.measurement.rough import rough_size
+from fruitgui.measurement.shape import Shape, Surface
 from fruitgui.measurement.state import State, first_state
 from fruitgui.tracking.track import Track
 
 DEGREE = 6
-THIN, STEPS0, STEPS = 2, 5, 4
+"""Highest degree of the harmonics: necks, hollows and shoulders; finer things hold no volume."""
+
+THIN, COARSE_STEPS, FINE_STEPS = 2, 5, 4
+"""The ellipsoid takes every second sample; fewer steps than these leave the length 0.5 mm worse, more gain nothing."""
+
+SEEN_COSINE = 0.35
+"""A surface is seen where it faces a sensor at least so much; beyond, its points lie at the picture's edge."""
+
+SYSTEMATIC = 0.005
+"""What no number of views averages out: the device's own scale, the plane of the belt."""
+
+LARGEST_M = 0.6
+"""No surface longer than this is a fruit's: the fit went wrong."""
+
+COARSE, FINE = 4e-3, 1.5e-3
+"""Standard deviation of a view's own shift along the belt before and after its path is known, metres."""
 
 
-def measure(track: Track, rig: Rig) -> Size | None:
-    """Return the size of a fruit from all its views together; None where no view has points enough."""
+def measure(track: Track, rig: Rig) -> Size:
+    """Return the size of a fruit from all its views together.
+
+    There always is one: where the views hold too few points for a surface, it
+    comes from outlines and heights alone, with a wide standard deviation.
+    """
+    fit = fit_track(track, rig)
+    return rough_size(track, rig) if fit is None else size_of(fit)
+
+
+def fit_track(track: Track, rig: Rig) -> Fit | None:
+    """Return the closed surface through all views of a fruit, belt frame; None where there is none."""
     evidence = gather(track, rig)
     if evidence is None:
         return None
-    fit = fit_surface(evidence, rig.belt_frame().turn(track.velocity_m_s))
-    return size_of(fit)
+    try:
+        fit = fit_surface(evidence, rig.belt_frame().turn(track.velocity_m_s))
+    except np.linalg.LinAlgError:
+        return None
+    return fit if _is_sound(fit) else None
+
+
+def _is_sound(fit: Fit) -> bool:
+    reach = np.abs(fit.state.shape.surface().points_m).max()
+    return bool(np.isfinite(fit.covariance).all() and reach < LARGEST_M / 2.0 and (np.diag(fit.covariance) > 0.0).all())
 
 
 def fit_surface(evidence: Evidence, velocity_m_s: F64, degree: int | None = None) -> Fit:
-    """Return the closed surface through all views, coarse to fine: ball, ellipsoid, harmonics."""
+    """Return the closed surface through all views, coarse to fine: ball, ellipsoid, harmonics.
+
+    Args:
+        evidence: the views.
+        velocity_m_s: (3,) of the belt, belt frame.
+        degree: highest of the harmonics.
+    """
     degree = DEGREE if degree is None else degree
+    radius = max(0.5 * evidence.height_m, 2e-3)
     path, _ = carried(evidence, evidence.centre_m, velocity_m_s, degree=1)
     few = evidence.thinned(THIN)
-    state = improve(first_state(few, path, FATTENING_PX), few, shape_prior(0, 4e-3, axis_known=False), STEPS0).state
+    prior = shape_prior(0, COARSE, radius, axis_known=False)
+    state = improve(first_state(few, path, FATTENING_PX), few, prior, COARSE_STEPS).state
+    prior = shape_prior(degree, FINE, radius, axis_known=True)
     state = _upon_axes(_along_path(state, evidence, velocity_m_s, 3), degree)
-    state = replace(state, along_m=np.zeros(evidence.used.shape))
-    return improve(state, evidence, shape_prior(degree, 1.5e-3, axis_known=True), STEPS)
+    return improve(replace(state, along_m=np.zeros(evidence.used.shape)), evidence, prior, FINE_STEPS)
 
 
 def _along_path(state: State, evidence: Evidence, velocity_m_s: F64, degree: int) -> State:
@@ -73,9 +115,18 @@ def size_of(fit: Fit) -> Size:
         length_m=_quantity(length, fit),
         diameter_m=_quantity(diameter, fit),
         perimeter_m=_quantity(perimeter(surface), fit),
-        coverage=0.0,
+        coverage=_coverage(fit, surface),
     )
 
 
+def _coverage(fit: Fit, surface: Surface) -> float:
+    """Return the share of directions from the centre in which some view saw the surface not too slanted."""
+    outward = surface.points_m @ fit.state.shape.matrix.T @ fit.state.shape.matrix
+    outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+    seen = (outward @ fit.sight.T < -SEEN_COSINE).any(axis=1)
+    return float(seen.mean())
+
+
 def _quantity(extent: Extent, fit: Fit) -> Quantity:
-    return Quantity(extent.value, float(np.sqrt(extent.gradient @ fit.covariance @ extent.gradient)))
+    variance = float(extent.gradient @ fit.covariance @ extent.gradient)
+    return Quantity(extent.value, float(np.sqrt(variance + (SYSTEMATIC * extent.value) ** 2)))
