@@ -44,7 +44,7 @@ class Perceiver:
         self.sensor = sensor
         self._settings = settings or PerceptionSettings()
         self._intrinsics = intrinsics
-        self._limits = depth_limits(intrinsics, surface, self._settings)
+        self.limits = self._limits = depth_limits(intrinsics, surface, self._settings)
         noise_m = float(self._settings.noise_at_m(np.array(self._limits.belt_z_m)))
         self._jump_m = 0.3 * self._settings.smallest_m + 3.0 * noise_m
         self._segmenter = Segmenter(self._limits, self._settings)

@@ -8,6 +8,8 @@ import numpy as np
 
 from fruitgui.frame import F64, Frame, Intrinsics
 from fruitgui.geometry.plane import Plane, Surface
+from fruitgui.perception import Perceiver
+from fruitgui.perception.view import FruitView
 
 KINECT = Intrinsics(640, 480, 525.0, 525.0, 319.5, 239.5)
 
@@ -82,3 +84,29 @@ def _sphere_depth(directions: F64, centre: F64, radius_m: float) -> F64:
     b = directions @ centre
     discriminant = b**2 - a * (centre @ centre - radius_m**2)
     return np.where(discriminant > 0, (b - np.sqrt(np.maximum(discriminant, 0.0))) / a, 0.0)
+
+
+def row_of_balls(radii_m: tuple[float, ...], gap_m: float, **table: object) -> Table:
+    """Return balls in a row across the middle of the picture, `gap_m` between their equators' nearest points."""
+    empty = Table((), **table)  # type: ignore[arg-type]
+    middle = empty.plane().frame().apply(np.array([0.0, 0.0, empty.height_m / np.cos(empty.tilt_rad)]))
+    places = [0.0]
+    for before, after in zip(radii_m, radii_m[1:], strict=False):
+        # Balls of unlike radius on one plane touch at a distance of 2 √(r₁ r₂).
+        places.append(places[-1] + 2.0 * np.sqrt(before * after) + gap_m)
+    shift = (places[0] + places[-1]) / 2.0
+    balls = tuple(Ball(middle[0] + x - shift, middle[1], radius) for x, radius in zip(places, radii_m, strict=True))
+    return Table(balls, **table)  # type: ignore[arg-type]
+
+
+def perceiver(table: Table, **options: object) -> Perceiver:
+    return Perceiver("ball", table.intrinsics, table.surface(), **options)  # type: ignore[arg-type]
+
+
+def views(table: Table, **options: object) -> tuple[FruitView, ...]:
+    return perceiver(table, **options).observe(table.frame(), 0.0).views
+
+
+def nearest(table: Table, view: FruitView) -> int:
+    """Return the number of the ball whose centre is nearest to a view's."""
+    return int(np.argmin(np.linalg.norm(table.centres_m() - view.centre_m, axis=1)))
