@@ -20,9 +20,17 @@ MAX_TEXT_BYTES = 64 * 1024 * 1024
 def written_whole(path: Path) -> Iterator[Path]:
     """Give a temporary file beside `path`; rename it over `path` when the block ends well.
 
+    A link is followed first, so that it stays one.
+
     Raises:
-        WorldError: the folder is missing or not writable, or the disk is full.
+        WorldError: the folder is missing or not writable, the disk is full, or `path` is no regular file (a device
+            would be replaced by a file).
     """
+    path = path.resolve()
+    if path.exists() and not path.is_file():
+        raise WorldError(
+            "cannot_write", f"{path} is not a regular file.", "Name a file that may be replaced.", file=path
+        )
     try:
         handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     except OSError as error:
@@ -102,11 +110,16 @@ def read_json(path: Path) -> Any:  # noqa: ANN401 - JSON is any
     except json.JSONDecodeError as error:
         where = f"line {error.lineno}, column {error.colno}"
         raise InputError(
-            "not_json", f"{path} is not JSON ({where}: {error.msg}).", "Name a file that this program wrote.",
-            file=path, where=where,
+            "not_json",
+            f"{path} is not JSON ({where}: {error.msg}).",
+            "Name a file that this program wrote.",
+            file=path,
+            where=where,
         ) from error
     except RecursionError as error:
         raise InputError(
-            "not_json", f"{path} nests too deeply to be one of our files.", "Name a file that this program wrote.",
+            "not_json",
+            f"{path} nests too deeply to be one of our files.",
+            "Name a file that this program wrote.",
             file=path,
         ) from error

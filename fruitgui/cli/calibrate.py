@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from fruitgui.cli.console import Console
-from fruitgui.cli.options import Commands, add_json, add_recording_options, check_writable, source
+from fruitgui.cli.options import Commands, add_json, add_recording_options, check_output, source
 
 REFUSED = 3
 
@@ -26,7 +26,7 @@ def run(options: argparse.Namespace, console: Console) -> int:
     """Calibrate; 0 with a station written, or 3 with the reasons and no file."""
     from fruitgui.station.calibrate_job import calibrate_recording
 
-    out = check_writable(options.station)
+    out = check_output(options.station, [options.recording])
     outcome = calibrate_recording(source(options, options.recording), options.reference, out, console.progress)
     console.warn(outcome.warnings)
     console.result(outcome.value(out))

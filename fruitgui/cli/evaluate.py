@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from fruitgui.cli.console import Console
-from fruitgui.cli.options import Commands, add_json, check_writable
+from fruitgui.cli.options import Commands, add_json, check_output
 from fruitgui.errors import InputError
 
 
@@ -27,7 +27,7 @@ def run(options: argparse.Namespace, console: Console) -> int:
 
     if not 5 <= options.fruit <= 10_000:
         raise InputError("usage", f"--fruit {options.fruit} is out of range.", "Give 5 to 10000 fruit.")
-    out = check_writable(options.report)
+    out = check_output(options.report)
     value = evaluate(options.seed, options.fruit, console.progress)
     write_json(out, value)
     console.result(value)

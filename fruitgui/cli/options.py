@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -37,8 +38,7 @@ def source(options: argparse.Namespace, path: Path) -> RecordingSource:
     """Return where to read from, of the options given."""
     from fruitgui.station.source import RecordingSource
 
-    sensors = tuple(name for name in (options.sensors or "").split(",") if name)
-    return RecordingSource(path, tuple(options.topics), sensors, _clock_offsets(options.clock_offset))
+    return RecordingSource(path, tuple(options.topics), names(options.sensors), _clock_offsets(options.clock_offset))
 
 
 def _clock_offsets(texts: list[str]) -> dict[str, float]:
@@ -66,14 +66,31 @@ def finite(text: str, option: str) -> float:
     return value
 
 
-def check_writable(path: Path) -> Path:
-    """Return `path` if a file can be made there; said before hours of work, not after.
+def check_output(path: Path, inputs: Iterable[Path | None] = ()) -> Path:
+    """Return `path` if a file can be made there without harm; said before hours of work, not after.
 
     Raises:
-        InputError: its folder is missing, or it is a folder itself.
+        InputError: its folder is missing, it is no regular file, or it is one of the inputs.
     """
-    if path.is_dir():
-        raise InputError("bad_output", f"{path} is a folder.", "Name a file.", file=path)
+    if path.exists() and not path.is_file():
+        what = "a folder" if path.is_dir() else "not a regular file"
+        raise InputError("bad_output", f"{path} is {what}.", "Name a file.", file=path)
     if not path.resolve().parent.is_dir():
         raise InputError("bad_output", f"The folder {path.parent} does not exist.", "Make it first.", file=path)
+    if path.resolve() in {one.resolve() for one in inputs if one is not None}:
+        raise InputError("bad_output", f"{path} is read and would be overwritten.", "Name another file.", file=path)
     return path
+
+
+def names(text: str | None) -> tuple[str, ...]:
+    """Return the ids in the text of `--sensors`; none where it was not given.
+
+    Raises:
+        InputError: it holds no id.
+    """
+    if text is None:
+        return ()
+    found = tuple(name.strip() for name in text.split(",") if name.strip())
+    if not found:
+        raise InputError("usage", f"--sensors {text[:40]!r} names no sensor.", "Example: --sensors kinect_1,kinect_2")
+    return found

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from fruitgui.cli.console import Console
-from fruitgui.cli.options import Commands, add_json, check_writable, finite
+from fruitgui.cli.options import Commands, add_json, check_output, finite, names
 from fruitgui.errors import InputError
 
 LONGEST_S = 24 * 3600.0
@@ -29,15 +29,14 @@ def run(options: argparse.Namespace, console: Console) -> int:
     """Record or recover."""
     from fruitgui.station.record_job import record_simulated, recover_recording
 
-    out = check_writable(options.out)
+    out = check_output(options.out, [options.recover])
     if options.recover is not None:
         done = recover_recording(options.recover, out, console.progress)
     else:
         seconds = finite(options.seconds, "--seconds")
         if not 0.0 < seconds <= LONGEST_S:
             raise InputError("usage", f"--seconds {seconds:g} cannot be.", f"Give 0 to {LONGEST_S:g} seconds.")
-        names = None if options.sensors is None else tuple(name for name in options.sensors.split(",") if name)
-        done = record_simulated(out, seconds, options.seed, names, options.still, console.progress)
+        done = record_simulated(out, seconds, options.seed, names(options.sensors), options.still, console.progress)
     console.warn(done.warnings)
     console.result(done.value(out))
     console.say(done.line(out))

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from fruitgui.cli.console import Console
-from fruitgui.cli.options import Commands, add_json, add_recording_options, check_writable, finite, source
+from fruitgui.cli.options import Commands, add_json, add_recording_options, check_output, finite, source
 from fruitgui.errors import InputError
 
 FASTEST_BELT_M_S = 10.0
@@ -31,7 +31,7 @@ def run(options: argparse.Namespace, console: Console) -> int:
     from fruitgui.station.report import summary_lines, write_report
     from fruitgui.station.run_job import RunOptions, run_recording
 
-    out = check_writable(options.report)
+    out = check_output(options.report, [options.recording, options.station, options.model])
     wishes = RunOptions(options.model, options.paper, _belt_speed(options.belt_speed))
     report = run_recording(source(options, options.recording), options.station, wishes, console.progress)
     write_report(out, report)

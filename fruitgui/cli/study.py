@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from fruitgui.cli.console import Console
-from fruitgui.cli.options import Commands, add_json, add_recording_options, check_writable, source
+from fruitgui.cli.options import Commands, add_json, add_recording_options, check_output, source
 
 
 def add(commands: Commands) -> None:
@@ -25,7 +25,7 @@ def run(options: argparse.Namespace, console: Console) -> int:
     from fruitgui.files import write_json
     from fruitgui.station.study_job import study_recording, summary_lines
 
-    out = check_writable(options.report)
+    out = check_output(options.report, [options.recording, options.poses])
     value = study_recording(source(options, options.recording), options.poses, console.progress)
     write_json(out, value)
     console.warn(value.get("warnings", []))

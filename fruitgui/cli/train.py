@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from fruitgui.cli.console import Console
-from fruitgui.cli.options import Commands, add_json, add_recording_options, check_writable, source
+from fruitgui.cli.options import Commands, add_json, add_recording_options, check_output, source
 from fruitgui.errors import InputError
 
 
@@ -35,7 +35,7 @@ def run(options: argparse.Namespace, console: Console) -> int:
             f"{len(options.recordings)} recordings but {len(options.labels)} labels files.",
             "Give one labels file for each recording, in the same order.",
         )
-    out = check_writable(options.model)
+    out = check_output(options.model, [*options.recordings, *options.labels, options.station])
     lessons = [
         (source(options, recording), labels)
         for recording, labels in zip(options.recordings, options.labels, strict=True)

@@ -17,7 +17,9 @@ from fruitgui.errors import InputError
 from fruitgui.files import written_whole
 
 MANIFEST = "model.json"
-MAX_MEMBER_BYTES = 64 * 1024 * 1024
+MAX_BYTES = 64 * 1024 * 1024
+"""A model has some hundred thousand numbers; what unpacks to more than this is not one."""
+
 MAX_MEMBERS = 256
 REMEDY = "Train again, or name a model file that training wrote."
 
@@ -50,6 +52,8 @@ def read_archive(path: Path) -> tuple[dict[str, Any], Arrays]:
             members = archive.infolist()
             if len(members) > MAX_MEMBERS:
                 raise _bad(path, f"{len(members)} members")
+            if sum(info.file_size for info in members) > MAX_BYTES:
+                raise _bad(path, f"it unpacks to more than {MAX_BYTES // 2**20} MB")
             manifest = _manifest(path, _member(path, archive, MANIFEST))
             arrays = {
                 info.filename.removesuffix(".npy"): _array(path, info.filename, _member(path, archive, info.filename))
@@ -71,13 +75,9 @@ def _bad(path: Path, what: str, where: str | None = None) -> InputError:
 
 def _member(path: Path, archive: zipfile.ZipFile, name: str) -> bytes:
     try:
-        with archive.open(name) as member:
-            data = member.read(MAX_MEMBER_BYTES + 1)
+        return archive.read(name)  # never more than the size that was checked above
     except KeyError as error:
         raise _bad(path, f"it holds no {name}", name) from error
-    if len(data) > MAX_MEMBER_BYTES:
-        raise _bad(path, f"{name} is larger than {MAX_MEMBER_BYTES // 2**20} MB", name)
-    return data
 
 
 def _manifest(path: Path, data: bytes) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import os
 import stat
 from pathlib import Path
 
@@ -33,6 +34,24 @@ def test_a_missing_folder_is_said_plainly(tmp_path: Path) -> None:
     with pytest.raises(WorldError) as caught, written_whole(tmp_path / "no" / "a"):
         pass
     assert caught.value.file
+
+
+def test_a_device_is_never_replaced(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with pytest.raises(WorldError), written_whole(pipe):
+        pass
+    assert pipe.is_fifo()
+
+
+def test_a_link_stays_a_link(tmp_path: Path) -> None:
+    real, link = tmp_path / "real", tmp_path / "link"
+    real.write_text("old")
+    link.symlink_to(real)
+    with written_whole(link) as beside:
+        beside.write_text("new")
+    assert link.is_symlink()
+    assert real.read_text() == "new"
 
 
 def test_json_errors_name_line_and_column(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@ from __future__ import annotations
 import io
 import json
 import pickle
+import tracemalloc
 import zipfile
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 
 from fruitgui.errors import InputError
-from fruitgui.station.archive import MAX_MEMBER_BYTES, read_archive, write_archive
+from fruitgui.station.archive import MAX_BYTES, read_archive, write_archive
 
 
 def zipped(tmp_path: Path, **members: bytes) -> Path:
@@ -61,7 +62,7 @@ def _huge_header() -> bytes:
         {"model__json": b"{}", "w__npy": npy(np.zeros(4))[:-3]},
         {"model__json": b"{}", "w__npy": _lying_header()},
         {"model__json": b"{}", "w__npy": _huge_header()},
-        {"model__json": b"{}", "w__npy": b"\0" * (MAX_MEMBER_BYTES + 2)},
+        {"model__json": b"{}", "w__npy": b"\0" * (MAX_BYTES + 2)},
     ],
 )
 def test_what_is_not_data_as_claimed_is_refused(tmp_path: Path, members: dict[str, bytes]) -> None:
@@ -79,6 +80,16 @@ def test_a_damaged_zip_is_refused_wherever_it_is_damaged(tmp_path: Path) -> None
         bad.write_bytes(data[:cut])
         with pytest.raises(InputError):
             read_archive(bad)
+
+
+def test_a_bomb_is_refused_before_it_is_unpacked(tmp_path: Path) -> None:
+    path = zipped(tmp_path, model__json=b"{}", w__npy=b"\0" * (4 * MAX_BYTES))
+    tracemalloc.start()
+    with pytest.raises(InputError):
+        read_archive(path)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 2**20
 
 
 def test_too_many_members_are_refused(tmp_path: Path) -> None:
