@@ -26,7 +26,7 @@ class DepthModel:
         baseline_m: from the infrared camera to the projector, along +x.
         step_px: step of the disparity.
         sigma_px: standard deviation of the disparity, step included; 0.0609 is 1.4e-3 z² m.
-        window_px: width of the matching window over which errors are correlated.
+        window_px: (width, height) of the window over which errors are correlated.
         fixed_share: share of the variance (before rounding) that stays with the pixel from capture to capture, as the
             dot pattern does; averaging captures of a still scene does not lessen it.
         fattening_px: how far near surfaces grow over what is behind them, 0–2.
@@ -44,8 +44,8 @@ class DepthModel:
     baseline_m: float = 0.075
     step_px: float = 0.125
     sigma_px: float = 0.0609
-    window_px: int = 9
-    fixed_share: float = 0.3
+    window_px: tuple[int, int] = (9, 4)
+    fixed_share: float = 0.5
     fattening_px: float = 1.0
     scale_error: float = 0.0
     offset_m: float = 0.0
@@ -83,13 +83,13 @@ class NoiseBank:
         fixed: (height, width) a part of such noise that never changes.
     """
 
-    def __init__(self, height: int, width: int, window_px: int, rng: Generator) -> None:
+    def __init__(self, height: int, width: int, window_px: tuple[int, int], rng: Generator) -> None:
         import cv2
 
         self._shape = (height, width)
         shape = (height + 389, width + 521)
         white = rng.standard_normal(shape, dtype=np.float32)
-        smooth = cv2.blur(white, (window_px, window_px)) if window_px > 1 else white
+        smooth = cv2.blur(white, window_px)
         self.smooth = smooth / np.float32(smooth.std())
         self.fixed = self.window(self.smooth, rng).copy()
         blotch = cv2.GaussianBlur(rng.standard_normal(shape, dtype=np.float32), (0, 0), 1.2)

@@ -80,7 +80,7 @@ def scatter(
     """Return the bodies of as many groups as fit into a rectangle (low, high) of the belt, none overlapping."""
     taken: list[tuple[float, float, float]] = []
     placed: list[Body] = []
-    for group in groups:
+    for group in sorted(groups, key=lambda group: -group.reach_m):
         for _ in range(tries):
             x, y = rng.uniform(low_m, high_m)
             inside = low_m[1] + group.reach_m <= y <= high_m[1] - group.reach_m

@@ -108,9 +108,11 @@ class Eye:
         depth, color = device.depth_camera, device.color_camera
         self._depth_camera = Camera(depth, device.pose @ device.depth_to_color)
         self._color_camera = Camera(color, device.pose)
-        self._behind_depth = look(surroundings, depth.rays(), self._depth_camera.pose)
-        self._behind_color = look(surroundings, color.rays(), device.pose)
-        self._signal = self._behind_depth.infrared * self._behind_depth.facing
+        behind, self._behind_color = (
+            look(surroundings, camera.intrinsics.rays(), camera.pose)
+            for camera in (self._depth_camera, self._color_camera)
+        )
+        self._empty_belt = Scan(behind.z_m, behind.infrared * behind.facing, behind.facing)
         self._radius2 = _radius2(depth)
         self._vignette = vignette(_radius2(color), device.color_model)
         self._mixing = mixing(light, device.color_model)
@@ -140,7 +142,8 @@ class Eye:
 
     def scan(self, bodies: Sequence[Placed]) -> Scan:
         """Return exact depth in the infrared camera."""
-        z, signal, facing = self._behind_depth.z_m.copy(), self._signal.copy(), self._behind_depth.facing.copy()
+        empty = self._empty_belt
+        z, signal, facing = empty.z_m.copy(), empty.signal.copy(), empty.facing.copy()
         for _, glimpse, which in in_front([self._depth_camera.glimpse(placed) for placed in bodies], z):
             pixel, cosine = glimpse.pixel.take(which), glimpse.facing.take(which)
             facing.reshape(-1)[pixel] = cosine

@@ -25,6 +25,7 @@ class Conditions:
         lux: light on the belt; None draws 100–1000.
         depth_model: what all sensors share.
         fattening_px: of edges; None draws 0.3–1.6 px per sensor.
+        noise_factor: of the disparity's random error; None draws 0.9–1.3 per sensor.
         scale_error: depth scale errors of sensors are drawn evenly from ± this.
         offset_m: depth offsets are drawn evenly from ± this.
         camera: the colour camera; its resolution is the frames'.
@@ -36,6 +37,7 @@ class Conditions:
     lux: float | None = None
     depth_model: DepthModel = DepthModel()  # noqa: RUF009 - frozen
     fattening_px: float | None = None
+    noise_factor: float | None = None
     scale_error: float = 0.0
     offset_m: float = 0.0
     camera: Intrinsics = KINECT_COLOR
@@ -101,10 +103,12 @@ def _device(number: int, pose: Pose, conditions: Conditions, rng: Generator) -> 
 
 
 def _depth_model(conditions: Conditions, rng: Generator) -> DepthModel:
-    drawn_px = float(rng.uniform(0.3, 1.6))
+    drawn_px, drawn_factor = float(rng.uniform(0.3, 1.6)), float(rng.uniform(0.9, 1.3))
+    factor = drawn_factor if conditions.noise_factor is None else conditions.noise_factor
     model = conditions.depth_model
     return replace(
         model,
+        sigma_px=model.sigma_px * factor,
         fattening_px=drawn_px if conditions.fattening_px is None else conditions.fattening_px,
         scale_error=model.scale_error + float(rng.uniform(-1, 1) * conditions.scale_error),
         offset_m=model.offset_m + float(rng.uniform(-1, 1) * conditions.offset_m),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -24,6 +25,10 @@ from fruitgui.simulation.surroundings import Surroundings
 UP = np.array([0.0, 0.0, 1.0])
 BODY_MARGIN_M = 0.2
 """Bodies whose centre is farther than this outside the sensors' sight along the belt are left out of the pictures."""
+
+
+MOST_CASTERS = 200
+"""Bodies kept ready for rays, the latest used; a long line does not eat the memory."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +153,7 @@ class Simulation:
         self.truth = Truth(scene)
         self._eyes: dict[str, Eye] = {}
         self._casters: dict[int, Caster] = {}
+        self._lock = threading.Lock()
         self._sights: dict[str, tuple[float, float]] = {}
         self._numbers = _sequence_numbers(scene)
 
@@ -231,8 +237,12 @@ class Simulation:
         return self._eyes[sensor]
 
     def _caster(self, body: Body) -> Caster:
-        found = self._casters.get(body.fruit_id)
-        return found if found is not None else self._casters.setdefault(body.fruit_id, Caster(body.mesh))
+        with self._lock:
+            found = self._casters.pop(body.fruit_id, None) or Caster(body.mesh)
+            self._casters[body.fruit_id] = found
+            while len(self._casters) > MOST_CASTERS:
+                del self._casters[next(iter(self._casters))]
+            return found
 
 
 def sight_along_belt(mount: Mount, device: Device) -> tuple[float, float]:

@@ -40,7 +40,7 @@ NOISY = replace(PERFECT, step_px=0.125, sigma_px=0.0609)
 @pytest.mark.parametrize("z_m", [0.7, 1.0, 1.6])
 def test_random_error_grows_with_the_square_of_distance(z_m: float) -> None:
     errors = stack(z_m, NOISY) - z_m
-    # Khoshelham & Oude Elberink 2012; 9 × 9 pixels err together, so 12 frames hold about 11 000 of them: 1 %;
+    # Khoshelham & Oude Elberink 2012; 9 × 4 pixels err together, so 12 frames hold about 25 000 of them: 1 %;
     # rounding to steps as wide as two sigma makes sigma depend on where in the step z lies: up to 12 %
     assert errors.std() == pytest.approx(1.4e-3 * z_m**2, rel=0.15)
     assert abs(errors.mean()) < 0.3e-3 * z_m**2
@@ -64,19 +64,21 @@ def test_errors_are_correlated_over_the_matching_window() -> None:
     model = replace(NOISY, step_px=0.0)
     errors = stack(1.0, model, 6) - 1.0
     errors /= errors.std()
-    along = [float((errors[:, :, : -lag or None] * errors[:, :, lag:]).mean()) for lag in (1, 4, 9, 15)]
+    along = [float((errors[:, :, :-lag] * errors[:, :, lag:]).mean()) for lag in (1, 4, 9, 15)]
     # a mean over 9 pixels keeps 1 − lag/9 of its variance in common
     assert along == pytest.approx([8 / 9, 5 / 9, 0.0, 0.0], abs=0.05)
+    down = [float((errors[:, :-lag] * errors[:, lag:]).mean()) for lag in (1, 2, 4, 8)]
+    assert down == pytest.approx([3 / 4, 1 / 2, 0.0, 0.0], abs=0.05)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
 def test_a_part_of_the_error_stays_with_the_pixel(share: float) -> None:
     rng = np.random.default_rng(3)
-    bank = NoiseBank(*SHAPE, 9, rng)
+    bank = NoiseBank(*SHAPE, (9, 4), rng)
     model = replace(NOISY, step_px=0.0, fixed_share=share)
     first, second = (measure_depth(flat(1.0), model, 580.0, None, bank, rng) - 1.0 for _ in range(2))
     alike = (first * second).mean() / (first.std() * second.std())
-    # 76 800 pixels in windows of 81 are 950 independent ones: ±0.033
+    # 76 800 pixels in windows of 36 are 2100 independent ones: ±0.022
     assert alike == pytest.approx(share, abs=0.1)
     assert first.std() == pytest.approx(1.4e-3, rel=0.08)
 
@@ -105,7 +107,7 @@ def test_device_errors_are_constant() -> None:
     radius2 = np.linspace(0, 1, SHAPE[1], dtype=np.float32)[None, :] * np.ones(SHAPE, np.float32)
     rng = np.random.default_rng(0)
     bent = replace(PERFECT, radial_error=0.01)
-    z = measure_depth(flat(1.0), bent, 580.0, radius2, NoiseBank(*SHAPE, 9, rng), rng)
+    z = measure_depth(flat(1.0), bent, 580.0, radius2, NoiseBank(*SHAPE, (9, 4), rng), rng)
     assert z[0, 0] == pytest.approx(1.0, abs=1e-6)
     assert z[0, -1] == pytest.approx(1.01, abs=1e-6)
 
