@@ -9,6 +9,9 @@ import numpy as np
 
 from fruitgui.simulation import scenes
 
+SEEN_M = 1.5
+"""About as much belt does a Kinect see from 1 m."""
+
 
 @dataclass(frozen=True, slots=True)
 class RenderSpeed:
@@ -16,7 +19,7 @@ class RenderSpeed:
 
     Attributes:
         frames: rendered.
-        fruit_in_view: mean number of things in a frame's sight.
+        fruit_in_view: mean number of things that a frame shows.
         frames_per_cpu_s: sensor frames per second of processor time.
         frame_ms: processor time of one frame, median.
     """
@@ -28,15 +31,18 @@ class RenderSpeed:
 
 
 def render_speed(seed: int = 1, fruit: int = 20, frames: int = 20) -> RenderSpeed:
-    """Render frames of a still scene with two opposed Kinects and `fruit` pieces in view; setting up is not counted."""
-    sim = scenes.still_scene(seed, fruit=fruit, captures=(frames + 1) // 2 + 1)
+    """Render frames of a line with two opposed Kinects and about `fruit` pieces in view; setting up is not counted."""
+    sim = scenes.line_scene(seed, 3 * fruit, per_metre=fruit / SEEN_M)
+    middle = len(sim.captures) // 2 - frames // 2
     warm = len(sim.sensors)
-    for number in range(warm):
+    for number in range(middle - warm, middle):
         sim.frame(number)
     times_s, seen = [], []
-    for number in range(warm, warm + frames):
+    for number in range(middle, middle + frames):
         start_s = time.process_time()
         sim.frame(number)
         times_s.append(time.process_time() - start_s)
-        seen.append(len(sim.in_sight(sim.captures[number])))
+        capture = sim.captures[number]
+        who = sim.eye(capture.sensor).who(sim.in_sight(capture))
+        seen.append(len(np.unique(who[who >= 0])))
     return RenderSpeed(frames, float(np.mean(seen)), frames / sum(times_s), float(np.median(times_s)) * 1e3)

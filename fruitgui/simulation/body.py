@@ -51,9 +51,11 @@ class Body:
 
         The lowest vertex lies on the belt.
         """
-        rotation = self.wobble.rotation(time_s)
-        lift_m = -float((self.mesh.vertices_m @ rotation[2]).min())
-        rest_m = self.rest_m()
+        rest_m = lift_m = self.rest_m()
+        rotation = np.eye(3)
+        if self.wobble.turn_rad(time_s):
+            rotation = self.wobble.rotation(time_s)
+            lift_m = -float((self.mesh.vertices_m @ rotation[2]).min())
         x, y = np.array(self.start_m) + self.wobble.moved_m(time_s, rest_m)
         shoved = self.jump_m if time_s >= self.jump_s else (0.0, 0.0)
         return Pose(rotation, np.array([x + shoved[0] + travel_m, y + shoved[1], lift_m]))

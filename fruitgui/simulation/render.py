@@ -81,10 +81,9 @@ class Camera:
     def _box(self, points_m: np.ndarray) -> tuple[int, int, int, int] | None:
         if points_m[:, 2].min() < NEAREST_BODY_M:
             return None
-        pixels = self.intrinsics.project(points_m)
-        left, top = np.maximum(np.floor(pixels.min(axis=0)).astype(int) - 1, 0).tolist()
-        right, bottom = (np.ceil(pixels.max(axis=0)).astype(int) + 2).tolist()
-        right, bottom = min(right, self.intrinsics.width), min(bottom, self.intrinsics.height)
+        u, v = self.intrinsics.project(points_m).T
+        left, top = max(int(u.min()) - 1, 0), max(int(v.min()) - 1, 0)
+        right, bottom = min(int(u.max()) + 3, self.intrinsics.width), min(int(v.max()) + 3, self.intrinsics.height)
         return None if left >= right or top >= bottom else (left, top, right, bottom)
 
 
@@ -120,6 +119,8 @@ class Eye:
         self._wear = WearMap(surroundings.belt, self._behind_color)
         self._register = Registration(depth, color, device.depth_to_color)
         self._bank = NoiseBank(depth.height, depth.width, device.depth_model.window_px, rng)
+        self._last_scan: tuple[bytes, Scan] | None = None
+        self._last_light: tuple[bytes, F32] | None = None
         self._grain = _grain(color.height + 211, color.width + 307, device.color_model.blur_px, rng)
 
     def _lit_backdrop(self, behind: Backdrop) -> F32:
@@ -141,7 +142,13 @@ class Eye:
         return measure_depth(scan, device.depth_model, device.depth_camera.fx, radius2, self._bank, rng)
 
     def scan(self, bodies: Sequence[Placed]) -> Scan:
-        """Return exact depth in the infrared camera."""
+        """Return exact depth in the infrared camera, not to be written; kept while nothing moves."""
+        key = _stand(bodies)
+        if self._last_scan is None or self._last_scan[0] != key:
+            self._last_scan = (key, self._scanned(bodies))
+        return self._last_scan[1]
+
+    def _scanned(self, bodies: Sequence[Placed]) -> Scan:
         empty = self._empty_belt
         z, signal, facing = empty.z_m.copy(), empty.signal.copy(), empty.facing.copy()
         for _, glimpse, which in in_front([self._depth_camera.glimpse(placed) for placed in bodies], z):
@@ -152,18 +159,26 @@ class Eye:
 
     def color(self, bodies: Sequence[Placed], travel_m: float, speed_m_s: float, rng: Generator) -> U8:
         """Return the colour picture of a belt that has moved `travel_m` and moves at `speed_m_s`."""
+        key = _stand(bodies) + np.array([travel_m, speed_m_s]).tobytes()
+        if self._last_light is None or self._last_light[0] != key:
+            self._last_light = (key, self._focused(bodies, travel_m, speed_m_s))
+        light = self._last_light[1]
+        row, column = int(rng.integers(212)), int(rng.integers(308))
+        grain = self._grain[row : row + light.shape[0], column : column + light.shape[1]]
+        return expose(light, self.device.color_model, self._light.lux, grain)
+
+    def _focused(self, bodies: Sequence[Placed], travel_m: float, speed_m_s: float) -> F32:
+        """Return the light on the sensor: what comes from the scene, blurred by lens and motion."""
         import cv2
 
-        radiance = self.radiance(bodies, travel_m)
+        light = self.radiance(bodies, travel_m)
         model = self.device.color_model
         if model.blur_px:
-            radiance = cv2.GaussianBlur(radiance, (3, 3), model.blur_px)
+            light = cv2.GaussianBlur(light, (3, 3), model.blur_px)
         smear = self._smear(speed_m_s * model.exposure_at_s(self._light.lux))
         if smear is not None:
-            radiance = cv2.filter2D(radiance, -1, smear, borderType=cv2.BORDER_REPLICATE)
-        row, column = int(rng.integers(212)), int(rng.integers(308))
-        height, width = radiance.shape[:2]
-        return expose(radiance, model, self._light.lux, self._grain[row : row + height, column : column + width])
+            light = cv2.filter2D(light, -1, smear, borderType=cv2.BORDER_REPLICATE)
+        return light
 
     def _smear(self, moved_m: float) -> F32 | None:
         """Return the kernel of motion blur for a belt that moves so far while exposing; None where it shows nothing.
@@ -217,10 +232,17 @@ class Eye:
         margin = (right - left + bottom - top) // 5
         part = np.s_[max(top - margin, 0) : bottom + margin, max(left - margin, 0) : right + margin]
         away = self._behind_color.place_m[part] - placed.pose.translation_m[:2].astype(np.float32)
-        away *= np.float32(1 / placed.caster.reach_m)
-        near = np.maximum(np.exp(-(away[..., 0] ** 2) - away[..., 1] ** 2) - np.float32(0.1), 0)
+        away *= np.float32(0.6 / placed.caster.reach_m)
+        near = np.maximum(1 - away[..., 0] ** 2 - away[..., 1] ** 2, 0)
+        near *= near
         near *= self._behind_color.on_belt[part]
         worn[part] *= 1 - np.float32(self._light.contact) * near
+
+
+def _stand(bodies: Sequence[Placed]) -> bytes:
+    """Return what says which bodies stand where."""
+    poses = [np.append(placed.pose.matrix, placed.body.fruit_id) for placed in bodies]
+    return np.array(poses).tobytes()
 
 
 def motion_kernel(way_px: F64) -> F32 | None:

