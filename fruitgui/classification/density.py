@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from fruitgui.classification.evidence import Evidence, FeatureNames
-from fruitgui.classification.nature import by_ratio, sizes
+from fruitgui.classification.nature import by_ratio, sizes, steadied
 from fruitgui.frame import F64, Ints
 
 _PRIOR_FRUIT = 3.0
@@ -57,11 +57,11 @@ def fruit_vectors(evidence: list[Evidence], names: FeatureNames) -> FruitVectors
     A view or two that a neighbour or the picture's edge spoiled are left out; the median would jump between the two
     faces of a fruit that opposed sensors see.
     """
-    view_sizes, fruit_sizes = sizes(names.view), sizes(names.fruit)
+    fruit_sizes = sizes(names.fruit)
     width, depth = len(names.view), len(names.view) + len(names.fruit)
     points, spreads = np.empty((len(evidence), depth)), np.zeros((len(evidence), depth, depth))
     for row, one in enumerate(evidence):
-        views = by_ratio(one.view_features, view_sizes)
+        views = steadied(one.view_features, names)
         points[row, :width] = _trimmed_mean(views)
         points[row, width:] = by_ratio(one.fruit_features, fruit_sizes)
         if len(views) > 1:
@@ -101,7 +101,7 @@ class Density:
         """Return squared distance per axis (K,) and log-density (K,) of one fruit, over `axes` that were measured.
 
         The distance is squared Mahalanobis divided by the number of axes, about 1 for fruit of the kind. The
-        log-density is Student's t with the degrees of freedom that the covariance rests on.
+        log-density has the heavy tails of Student's t, as the covariance is only an estimate.
         """
         seen = axes[np.isfinite(point[axes])]
         if len(seen) == 0:
@@ -113,7 +113,7 @@ class Density:
             spread = covariance[square] * (1.0 + 1.0 / count) + fewer * self.view_spread[square]
             factor = np.linalg.cholesky(spread)
             squared = float(np.sum(np.linalg.solve(factor, point[seen] / self.unit[seen] - mean[seen]) ** 2))
-            freedom = self.strength + count
+            freedom = self.counts.sum() + len(seen)
             distances[kind] = squared / len(seen)
             densities[kind] = -0.5 * (freedom + len(seen)) * np.log1p(squared / freedom) - np.log(np.diag(factor)).sum()
         return distances, densities

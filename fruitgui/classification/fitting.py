@@ -9,13 +9,13 @@ import numpy as np
 from fruitgui.classification.density import Density, FruitVectors, fit_density, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames
 from fruitgui.classification.model import Core
-from fruitgui.classification.nature import borne_changes, by_ratio, sizes
+from fruitgui.classification.nature import borne_changes, steadied
 from fruitgui.classification.network import fit_network
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled, never_cancelled
 
-_EPOCHS = 24
-_ROWS = 2048
+_EPOCHS = 9
+_ROWS = 4096
 _JITTER = 0.5
 _LEAST_UNIT = 1e-3
 _VIEWS = 40
@@ -55,8 +55,7 @@ class FruitSet:
 
 def fruit_set(evidence: list[Evidence], kinds: Ints, count: int, names: FeatureNames) -> FruitSet:
     """Return the fruit of `count` kinds, ready for fitting."""
-    are_sizes = sizes(names.view)
-    views = tuple(_thinned(by_ratio(one.view_features, are_sizes)) for one in evidence)
+    views = tuple(_thinned(steadied(one.view_features, names)) for one in evidence)
     return FruitSet(names, views, fruit_vectors(evidence, names), kinds, count)
 
 
@@ -130,7 +129,7 @@ class _Drawer:
         self._moves = [_root(_JITTER**2 * block + light) for block in between]
 
     def draw(self, random: np.random.Generator) -> tuple[F64, Ints]:
-        """Return (2048, F) rows and the number of the kind of each."""
+        """Return (4096, F) rows and the number of the kind of each."""
         kinds = np.arange(_ROWS) % len(self._members)
         rows = np.empty((_ROWS, self._rows.shape[1]))
         for kind, members in enumerate(self._members):

@@ -113,7 +113,7 @@ def hold_out(
             own += [_own(fruit, core.density, int(row), random) for row in out]
         done((one + 1) / FOLDS)
     at = np.array(rows, dtype=np.intp)
-    moved = np.array(own).reshape(len(rows), LIGHTS, -1)
+    moved = np.array(own).reshape(len(rows), LIGHTS, len(axis_sets(fruit.names)))
     foreign = foreign_distances(fruit, strength, strangers)
     return HeldOut(at, tuple(scores), moved, fruit.kinds[at], fold[at], foreign)
 

@@ -9,7 +9,7 @@ import numpy as np
 from fruitgui.classification.decision import Novelty, Scores, Weighing, decide
 from fruitgui.classification.density import Density, FruitVectors, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames, KindVote
-from fruitgui.classification.nature import axis_sets, by_ratio, sizes
+from fruitgui.classification.nature import axis_sets, steadied
 from fruitgui.classification.network import Network
 from fruitgui.errors import InputError
 from fruitgui.frame import F64
@@ -76,7 +76,7 @@ class KindModel:
 
 def standardised(evidence: Evidence, names: FeatureNames, centre: F64, unit: F64) -> F64:
     """Return the view features (n, F) in units of their spread, within ±10: a wild value says no more than that."""
-    return np.clip((by_ratio(evidence.view_features, sizes(names.view)) - centre) / unit, -10.0, 10.0)
+    return np.clip((steadied(evidence.view_features, names) - centre) / unit, -10.0, 10.0)
 
 
 def check_width(evidence: Evidence, names: FeatureNames) -> None:

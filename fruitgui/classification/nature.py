@@ -24,29 +24,29 @@ CHANGES: tuple[dict[str, float], ...] = (
         "chroma_saturation_mean": -0.01,
     },
     {  # noise of the picture in dim light: it widens all spreads together, and gives grey skins a hue
-        "chroma_red_green_p10": -0.06, "chroma_red_green_p90": 0.06,
-        "chroma_blue_green_p10": -0.08, "chroma_blue_green_p90": 0.08,
-        "chroma_red_std": 0.012, "chroma_green_std": 0.010, "chroma_saturation_std": 0.025,
-        "chroma_saturation_mean": 0.02, "chroma_hue_strength": -0.03, "chroma_reddish_share": 0.02,
+        "chroma_red_green_p10": -0.15, "chroma_red_green_p90": 0.15,
+        "chroma_blue_green_p10": -0.2, "chroma_blue_green_p90": 0.2,
+        "chroma_red_std": 0.015, "chroma_green_std": 0.012, "chroma_saturation_std": 0.03,
+        "chroma_saturation_mean": 0.02, "chroma_hue_strength": 0.015, "chroma_reddish_share": 0.02,
         "chroma_greenish_share": 0.02,
-        "texture_step": 0.04, "texture_spread": 0.015, "texture_dark": -0.03, "texture_bright": 0.03,
+        "texture_step": 0.06, "texture_spread": 0.06, "texture_dark": -0.2, "texture_bright": 0.12,
     },
     {  # warmer or colder light
         "chroma_red_green_p10": 0.05, "chroma_red_green_p50": 0.05, "chroma_red_green_p90": 0.05,
         "chroma_blue_green_p10": -0.05, "chroma_blue_green_p50": -0.05, "chroma_blue_green_p90": -0.05,
         "chroma_red_mean": 0.012, "chroma_green_mean": 0.002, "chroma_saturation_mean": 0.01,
-        "chroma_hue_cosine": 0.03, "chroma_hue_sine": -0.02, "chroma_reddish_share": 0.03,
+        "chroma_hue_cosine": 0.012, "chroma_hue_sine": -0.008, "chroma_reddish_share": 0.03,
         "chroma_greenish_share": -0.03,
     },
     {  # greener or more purple light
         "chroma_red_green_p10": -0.03, "chroma_red_green_p50": -0.03, "chroma_red_green_p90": -0.03,
         "chroma_blue_green_p10": -0.03, "chroma_blue_green_p50": -0.03, "chroma_blue_green_p90": -0.03,
-        "chroma_red_mean": -0.004, "chroma_green_mean": 0.008, "chroma_hue_sine": 0.02,
+        "chroma_red_mean": -0.004, "chroma_green_mean": 0.008, "chroma_hue_sine": 0.008,
         "chroma_reddish_share": -0.02, "chroma_greenish_share": 0.02,
     },
-    {"chroma_red_green_to_belt": 0.08},  # another belt, or one that got dirty
-    {"chroma_blue_green_to_belt": 0.10},
-    {"chroma_value_to_belt": 0.25},
+    {"chroma_red_green_to_belt": 0.05},  # a belt that got dirty
+    {"chroma_blue_green_to_belt": 0.06},
+    {"chroma_value_to_belt": 0.12},
     {"texture_spread": 0.03, "texture_dark": -0.05, "texture_bright": 0.05},  # a lamp from the side
     {"texture_dark": 0.05},
     {"texture_specular_share": 0.01, "texture_bright": 0.03},
@@ -54,9 +54,9 @@ CHANGES: tuple[dict[str, float], ...] = (
     {"chroma_red_std": 0.006, "chroma_green_std": -0.006},
     {"chroma_saturation_std": 0.01},
     {"chroma_saturation_mean": 0.015},
-    {"chroma_hue_strength": 0.01},
-    {"chroma_hue_cosine": 0.02},
-    {"chroma_hue_sine": 0.02},
+    {"chroma_hue_strength": 0.004},
+    {"chroma_hue_cosine": 0.006},
+    {"chroma_hue_sine": 0.006},
     {"chroma_red_mean": 0.004},
     {"chroma_green_mean": 0.004},
     {"chroma_reddish_share": 0.02},
@@ -68,7 +68,11 @@ CHANGES: tuple[dict[str, float], ...] = (
     {"length_m": 0.02},
     {"diameter_m": 0.02},
     {"perimeter_m": 0.015},
-    {"shape_width_to_length": 0.03, "shape_height_to_width": 0.04},  # a neighbour cuts the outline
+    {  # a neighbour cuts the outline
+        "size_width": -0.08, "size_root_area": -0.05, "shape_width_to_length": -0.08, "shape_height_to_width": 0.08,
+        "shape_height_to_root_area": 0.05, "shape_solidity": -0.015, "shape_ellipse_error": 0.02,
+    },
+    {"shape_width_to_length": 0.03, "shape_height_to_width": 0.04},
     {"shape_solidity": 0.015},
     {"shape_fill": 0.012},
     {"shape_ellipse_error": 0.015},
@@ -84,15 +88,18 @@ CHANGES: tuple[dict[str, float], ...] = (
 Features that are not named here bear nothing.
 
 A white balance that is off by 10 % in one channel moves the logarithm of its (gamma-encoded) level by 0.045 and a share
-s of the sum by 0.05·s·(1 − s). 100–1000 lx is a factor of 10: ±0.5 in the logarithm of the level, where the camera does
-not adapt. Shot noise of a small camera at 100 lx is some 6 of 255 values, on a dark skin as much as a fifth of its
-colour. Belts of one make differ by half in reflectance, and get dirty. Two pixels of fattened edge are 4 % of a fruit
-of 50 pixels; an outline cut out of a group lacks a few per cent of its area.
+s of the sum by 0.05·s·(1 − s); hue is a vector as long as the saturation. 100–1000 lx is a factor of 10: ±0.5 in the
+logarithm of the level, where the camera does not adapt. Shot noise of a small camera at 100 lx is some 6 of 255 values,
+in a dark channel as much as a fifth. Two pixels of fattened edge are 4 % of a fruit of 50 pixels; an outline cut out of
+a group lacks a few per cent of its area.
 """
 
 _COLOURS = ("chroma_", "light_", "texture_", "colour_")
 _UNITS = ("_m", "_m2", "_m3")
 _SMALLEST = 1e-12
+_SATURATION = "chroma_saturation_mean"
+_HUE = ("chroma_hue_cosine", "chroma_hue_sine")
+_HUE_STRENGTH = "chroma_hue_strength"
 
 
 def natures(names: FeatureNames) -> tuple[Nature, ...]:
@@ -126,6 +133,23 @@ def axis_sets(names: FeatureNames) -> tuple[Ints, ...]:
 def sizes(names: tuple[str, ...]) -> Bools:
     """Return which features are sizes in SI units: positive, compared by ratio."""
     return np.array([name.endswith(_UNITS) for name in names], dtype=bool)
+
+
+def steadied(values: F32 | F64, names: FeatureNames) -> F64:
+    """Return view features (n, F) as they are compared: sizes by ratio, hue as a vector as long as the saturation.
+
+    The hue of a grey skin is chance; weighed by saturation it does not matter there.
+    """
+    steady = by_ratio(values, sizes(names.view))
+    place = {name: at for at, name in enumerate(names.view)}
+    if _SATURATION in place:
+        saturation = steady[:, place[_SATURATION]].copy()
+        for name in _HUE:
+            if name in place:
+                steady[:, place[name]] *= saturation
+        if _HUE_STRENGTH in place:
+            steady[:, place[_HUE_STRENGTH]] = (1.0 - steady[:, place[_HUE_STRENGTH]]) * saturation
+    return steady
 
 
 def by_ratio(values: F32 | F64, are_sizes: Bools) -> F64:

@@ -16,11 +16,11 @@ from fruitgui.progress import Cancelled, never_cancelled, stop_if
 HIDDEN = (32,)
 """Neurons of the hidden layers: a few dozen features and a few kinds need no more."""
 
-_BATCH = 128
-_STEP = 5e-3
+_BATCH = 256
+_STEP = 8e-3
 
 Rows = Callable[[np.random.Generator], tuple[F64, Ints]]
-"""Draws one epoch's rows (n, F), n ≥ 128, and the number of the kind of each."""
+"""Draws one epoch's rows (n, F), n ≥ 256, and the number of the kind of each."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -20,8 +20,8 @@ from fruitgui.classification.network import Network, fit_network
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
 
-_EPOCHS = 24
-_ROWS = 2048
+_EPOCHS = 9
+_ROWS = 4096
 
 
 @dataclass(frozen=True, slots=True, eq=False)
