@@ -13,6 +13,7 @@ from fruitgui.perception.perceiver import Perceiver
 from fruitgui.perception.view import Observation
 from fruitgui.progress import Cancelled, never_cancelled, stop_if
 from fruitgui.station.matching import match_sensors
+from fruitgui.station.rig_watch import RigWatch
 from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station
 from fruitgui.station.timing import Stopwatch
@@ -43,6 +44,7 @@ class Watching:
 
     Attributes:
         rig: of the sensors that are there.
+        rig_watch: over what passes.
     """
 
     def __init__(self, source: RecordingSource, station: Station) -> None:
@@ -64,6 +66,7 @@ class Watching:
         }
         cameras = {name: self._recording.sensors[sensor].intrinsics for sensor, name in self._names()}
         self.rig: Rig = station.rig(cameras)
+        self.rig_watch = RigWatch(self.rig)
         self._perceivers = {
             sensor: Perceiver(name, cameras[name], self.rig.mounts[name].surface) for sensor, name in self._names()
         }
@@ -102,6 +105,8 @@ class Watching:
             observation = perceiver.observe(replace(frame, sensor=perceiver.sensor), time_s)
             perceived_s = time.perf_counter() - read_s
             watch.add("perceive", perceived_s)
+            with watch.stage("watch"):
+                self.rig_watch.see_frame(perceiver.sensor, frame)
             yield Seen(frame.sensor, frame.time_s, observation, perceived_s)
 
     def shift_clocks(self, offsets_s: Mapping[str, float]) -> None:
@@ -122,7 +127,7 @@ class Watching:
 
     def warnings(self) -> list[str]:
         """Return what a person should know of recording and station."""
-        return [*self._matching.warnings, *self._recording.warnings]
+        return [*self._matching.warnings, *self._recording.warnings, *self.rig_watch.warnings]
 
     def _names(self) -> list[tuple[str, str]]:
         """Return (the recording's id, the station's id) of every sensor in use."""

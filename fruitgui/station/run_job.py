@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import time
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import read_station
 from fruitgui.station.timing import Stopwatch
+from fruitgui.tracking.track import Track
 from fruitgui.tracking.tracker import Tracker
 
 
@@ -90,11 +92,16 @@ class _Run:
             began_s = time.perf_counter()
             tracks = self._line.follow(seen.observation)
             self._watch.frame(seen.perceived_s + time.perf_counter() - began_s)
-            self._fruit += self._line.fruit(tracks)
+            self._take(tracks)
             self._frames[seen.observation.sensor] += 1
             if self._watch.frames % 50 == 0:
                 progress(0.0, f"{self._watch.frames} frames, {len(self._fruit)} fruit")
-        self._fruit += self._line.finish()
+        self._take(self._tracker.finish())
+
+    def _take(self, tracks: Sequence[Track]) -> None:
+        for track in tracks:
+            self._prelude.watching.rig_watch.see_track(track)
+        self._fruit += self._line.fruit(tracks)
 
     def report(self, station: Station) -> dict[str, Any]:
         """Return the report."""
