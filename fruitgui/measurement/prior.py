@@ -32,6 +32,9 @@ HEIGHT_SIGMA_M = 0.7e-3
 FATTENING_PX, FATTENING_SIGMA_PX, FATTENING_UNEVEN_PX = 0.7, 0.8, 0.3
 """Fattening of edges: its mean, its spread between sensors, and the spread of its difference between x and y."""
 
+ROCKING_SIGMA_M = 1.5e-3
+"""How far the centre of a fruit rises and falls as it rocks."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Prior:
@@ -109,5 +112,5 @@ def shape_prior(
         dents = np.array(sigma) ** -2.0
     view = [shift_sigma_m, shift_sigma_m, HEIGHT_SIGMA_M]
     if turn_sigma_rad:
-        view += [turn_sigma_rad] * 3
+        view = [shift_sigma_m, shift_sigma_m, ROCKING_SIGMA_M, *[turn_sigma_rad] * 3]
     return Prior(rows.T @ rows, dents, float(np.log(radius_m)), np.array(view) ** -2.0)

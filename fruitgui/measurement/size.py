@@ -15,6 +15,7 @@ from fruitgui.measurement.fruit import Quantity, Size
 from fruitgui.measurement.harmonics import basis
 from fruitgui.measurement.path import carried
 from fruitgui.measurement.prior import FATTENING_PX, shape_prior
+from fruitgui.measurement.restless import TURN_SIGMA_RAD, is_restless
 from fruitgui.measurement.rough import rough_size
 from fruitgui.measurement.shape import Shape, Surface
 from fruitgui.measurement.state import State, first_state
@@ -82,7 +83,11 @@ def fit_surface(evidence: Evidence, velocity_m_s: F64, degree: int | None = None
     state = improve(first_state(few, path, FATTENING_PX), few, prior, COARSE_STEPS).state
     prior = shape_prior(degree, FINE, radius, axis_known=True)
     state = _upon_axes(_along_path(state, evidence, velocity_m_s, 3), degree)
-    return improve(replace(state, along_m=np.zeros(evidence.used.shape)), evidence, prior, FINE_STEPS)
+    fit = improve(replace(state, along_m=np.zeros(evidence.used.shape)), evidence, prior, FINE_STEPS)
+    if not is_restless(fit.state, evidence, prior):
+        return fit
+    turning = shape_prior(degree, FINE, radius, axis_known=True, turn_sigma_rad=TURN_SIGMA_RAD)
+    return improve(fit.state, evidence, turning, FINE_STEPS)
 
 
 def _along_path(state: State, evidence: Evidence, velocity_m_s: F64, degree: int) -> State:
