@@ -132,6 +132,25 @@ def write_truth(path: Path, sim: Simulation, every_s: float = 0.5) -> None:
     write_json(path, value)
 
 
+def write_poses(path: Path, sim: Simulation) -> None:
+    """Write a poses file: for each frame the pose of its sensor's colour optical frame in the world.
+
+    Raises:
+        WorldError: it cannot be written.
+    """
+    from scipy.spatial.transform import Rotation
+
+    with written_whole(path) as beside, beside.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(("time_s", "sensor", "x_m", "y_m", "z_m", "qx", "qy", "qz", "qw"))
+        for capture in sim.captures:
+            device = sim.device(capture.sensor)
+            turn = Rotation.from_matrix(device.pose.rotation).as_quat()
+            numbers = (*device.pose.translation_m.tolist(), *turn.tolist())
+            stamp_s = capture.time_s - device.clock_offset_s
+            writer.writerow((f"{stamp_s:.9f}", capture.sensor, *(f"{number:.9f}" for number in numbers)))
+
+
 def _sensor_value(sim: Simulation, sensor: str) -> dict[str, Any]:
     pose, surface, device = sim.truth.poses[sensor], sim.truth.surfaces[sensor], sim.device(sensor)
     return {

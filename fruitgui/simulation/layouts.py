@@ -10,7 +10,7 @@ from fruitgui.frame import F64
 from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rotation import rotation_from_vector
 
-LAYOUTS = ("single", "opposed", "chain", "ring", "disconnected")
+LAYOUTS = ("single", "opposed", "chain", "ring", "scattered", "disconnected")
 """Names that `placements` knows."""
 
 USUAL_HEIGHT_M = (0.75, 1.25)
@@ -38,7 +38,8 @@ def placements(
     """Return the sensors' poses into the world for a layout.
 
     Args:
-        layout: one of `LAYOUTS`; opposed is two, chain three or more, ring four or more.
+        layout: one of `LAYOUTS`; opposed is two, chain three or more, ring four or more,
+            scattered any number, each at any heading and turned any way about its axis.
         count: how many sensors, 0 for the layout's own number.
         rng: the source of chance.
         height_m: range of the sensors' heights above the belt.
@@ -54,6 +55,8 @@ def placements(
         return _chain(rng, count or 3, height_m)
     if layout == "ring":
         return _ring(rng, count or 4, height_m)
+    if layout == "scattered":
+        return tuple(_anyhow(rng, height_m) for _ in range(count or 4))
     if layout == "disconnected":
         return (
             *_opposed(rng, np.zeros(2), height_m),
@@ -91,6 +94,15 @@ def _ring(rng: Generator, count: int, height_m: tuple[float, float]) -> tuple[Po
     return tuple(
         _beside(rng, heading + rng.normal(0, 0.12), (0.35, 0.7), np.zeros(2), height_m) for heading in headings
     )
+
+
+def _anyhow(rng: Generator, height_m: tuple[float, float]) -> Pose:
+    """A sensor held somehow: any heading, up to 45° off the vertical, turned any way about its axis."""
+    heading, off = rng.uniform(0, 2 * np.pi), rng.uniform(0.0, np.pi / 4)
+    height = rng.uniform(*height_m)
+    away = height * np.tan(off) * np.array([np.cos(heading), np.sin(heading)])
+    target = np.array([*rng.normal(0, 0.08, 2), 0.0])
+    return look_at(target + np.array([*away, height]), target, rng.uniform(-np.pi, np.pi))
 
 
 def _beside(

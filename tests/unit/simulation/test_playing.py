@@ -16,7 +16,7 @@ from fruitgui.frame import Frame, Intrinsics
 from fruitgui.sensors.sensor import EndOfStreamError, SensorTimeoutError
 from fruitgui.simulation import scenes
 from fruitgui.simulation.benchmark import render_speed
-from fruitgui.simulation.labels import truth_labels, write_labels, write_truth
+from fruitgui.simulation.labels import truth_labels, write_labels, write_poses, write_truth
 from fruitgui.simulation.simulated import FreeClock, PacedClock, SimulatedSensor
 from fruitgui.simulation.simulation import Simulation
 
@@ -138,6 +138,22 @@ def test_truth_is_written(still: Simulation, tmp_path: Path) -> None:
     assert len(value["fruit"]) == len(still.truth.fruit)
     assert value["fruit"][0]["path"][0]["position_m"] == pytest.approx(still.truth.position_m(1, 0.0).tolist())
     assert set(value["sensors"]) == set(still.sensors)
+
+
+def test_poses_are_written(still: Simulation, tmp_path: Path) -> None:
+    from scipy.spatial.transform import Rotation
+
+    path = tmp_path / "poses.csv"
+    write_poses(path, still)
+    with path.open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == len(still.captures)
+    for row, capture in zip(rows, still.captures, strict=True):
+        pose = still.device(capture.sensor).pose
+        assert row["sensor"] == capture.sensor
+        assert [float(row[name]) for name in ("x_m", "y_m", "z_m")] == pytest.approx(pose.translation_m.tolist())
+        turn = Rotation.from_quat([float(row[name]) for name in ("qx", "qy", "qz", "qw")]).as_matrix()
+        np.testing.assert_allclose(turn, pose.rotation, atol=1e-7)
 
 
 def test_speed_is_told() -> None:

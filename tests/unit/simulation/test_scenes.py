@@ -73,7 +73,9 @@ def test_seeds_vary_everything() -> None:
     assert len({device.depth_model.fattening_px for sim in sims for device in sim.scene.devices}) == 16
 
 
-@pytest.mark.parametrize(("layout", "count"), [("single", 1), ("opposed", 2), ("chain", 3), ("ring", 4), ("ring", 6)])
+@pytest.mark.parametrize(
+    ("layout", "count"), [("single", 1), ("opposed", 2), ("chain", 3), ("ring", 4), ("ring", 6), ("scattered", 5)]
+)
 def test_layouts_have_their_sensors_and_see_the_fruit(layout: str, count: int) -> None:
     for seed in range(2):
         sim = scenes.still_scene(seed, layout, 15, sensors=count, captures=1, conditions=QUICK)
