@@ -81,9 +81,7 @@ def measured(observation: Observation, rig: Rig, field: FieldOfView, centre: Cen
             "Leave that sensor out, or calibrate again with it.",
             where=observation.sensor,
         )
-    views = tuple(view for view in observation.views if _finite(centre(view)))
-    centres = np.array([centre(view)[0] for view in views], dtype=np.float64).reshape(-1, 3)
-    own = np.array([centre(view)[1] for view in views], dtype=np.float64).reshape(-1, 3, 3)
+    views, centres, own = _estimates(observation.views, centre)
     position = mount.pose.apply(centres)
     inside_m = field.sensors[observation.sensor].depth_m(position)
     size_m = _sizes_m(views, centres, mount)
@@ -103,8 +101,16 @@ def measured(observation: Observation, rig: Rig, field: FieldOfView, centre: Cen
     )
 
 
-def _finite(estimate: tuple[F64, F64]) -> bool:
-    return bool(np.isfinite(estimate[0]).all() and np.isfinite(estimate[1]).all())
+def _estimates(views: tuple[FruitView, ...], centre: Centre) -> tuple[tuple[FruitView, ...], F64, F64]:
+    """Return the views whose estimates are finite, their centres (m, 3) and covariances (m, 3, 3)."""
+    estimates = [centre(view) for view in views]
+    centres = np.array([one[0] for one in estimates], dtype=np.float64).reshape(-1, 3)
+    own = np.array([one[1] for one in estimates], dtype=np.float64).reshape(-1, 3, 3)
+    finite = np.isfinite(centres).all(axis=1) & np.isfinite(own).all(axis=(1, 2))
+    if finite.all():
+        return tuple(views), centres, own
+    kept = tuple(view for view, fine in zip(views, finite.tolist(), strict=True) if fine)
+    return kept, centres[finite], own[finite]
 
 
 def _sizes_m(views: tuple[FruitView, ...], centres_m: F64, mount: Mount) -> F64:

@@ -20,6 +20,11 @@ NEIGHBOUR_M = 0.12
 """Centres farther apart than this belong to different fruit, whatever the frames say."""
 
 ALMOST_NEVER = 0.2
+SPLINTER = 0.42
+"""Fruit on one belt differ less in size than this; so small a part of a group was cut off a body."""
+
+TOUCHING_M = 0.015
+
 OFTEN_ENOUGH = 0.35
 """Share of frames showing two fruit above which there are two: groups are missed more often than fruit are torn."""
 
@@ -58,7 +63,8 @@ class Majority:
     def twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
         """Return the better supported trail that is the same fruit, if there is one."""
         near = [other for other in others if other is not trail and distance_m(trail, other) < NEIGHBOUR_M]
-        pairs = self._pair_it_covers(trail, near)
+        whole = max((other for other in near if _is_piece_of(trail, other)), key=_rank, default=None)
+        pairs = self._pair_it_covers(trail, near) if whole is None else whole
         if pairs is not None:
             return pairs
         same = [other for other in near if _is_same(trail, other) and _rank(other) > _rank(trail)]
@@ -119,6 +125,12 @@ def _is_same(first: Trail, second: Trail) -> bool:
     if separation < 0.45:
         return together < 0.6
     return separation < 0.75 and together < OFTEN_ENOUGH
+
+
+def _is_piece_of(trail: Trail, other: Trail) -> bool:
+    """Tell whether a trail is a splinter cut off a much larger body that it touches (a finger, a leaf's tip)."""
+    touching = distance_m(trail, other) < 0.5 * (trail.size_m + other.size_m) + TOUCHING_M
+    return touching and trail.shared > 0.7 * trail.views and trail.size_m < SPLINTER * other.size_m
 
 
 def stands_beside_belt(trail: Trail) -> bool:

@@ -15,6 +15,8 @@ class TrackerSettings:
         model_std_m: floor of what two estimates of one centre may differ by; only for deciding, never in a covariance.
         gate: largest squared Mahalanobis distance of a match (χ², 3 degrees of freedom, 99.9 %).
         lasting_share: share of a centre's variance that stays from capture to capture (shape, side seen).
+        same_side_share: share of a centre's variance that two captures from the same side have in common.
+        same_side_m: way after which a fruit shows a sensor another side.
         kept_views: sightings kept per track; beyond that they are thinned evenly along the way.
         least_views: views that a fruit needs to be counted, and whole views where it did not cross.
         out_of_view_m: how far outside of every picture the centre must be to have left.
@@ -28,6 +30,8 @@ class TrackerSettings:
     model_std_m: float = 0.006
     gate: float = 16.3
     lasting_share: float = 0.5
+    same_side_share: float = 0.9
+    same_side_m: float = 0.15
     kept_views: int = 80
     least_views: int = 3
     out_of_view_m: float = 0.03

@@ -33,7 +33,7 @@ def smoothed_path(entries: Sequence[Entry], rig: Rig, settings: TrackerSettings)
     travelled = np.array([entry.travelled_m for entry in entries])
     K = np.kron(_slip_covariance(np.array([entry.time_s for entry in entries]), settings), np.eye(3))
     start = np.median(y - travelled, axis=0)
-    factor = cho_factor(K + _noise(entries, y, rig, settings.lasting_share), lower=True)
+    factor = cho_factor(K + _noise(entries, y, rig, settings), lower=True)
     mean = (travelled + start).ravel() + K @ cho_solve(factor, (y - travelled - start).ravel())
     covariance = K - K @ cho_solve(factor, K)
     blocks = covariance.reshape(m, 3, m, 3)[np.arange(m), :, np.arange(m)]
@@ -53,7 +53,7 @@ def _slip_covariance(time_s: F64, settings: TrackerSettings) -> F64:
     return np.asarray(slip + ANYWHERE_M**2 + BELT_JITTER_M**2 * np.eye(len(t)))
 
 
-def _noise(entries: Sequence[Entry], y: F64, rig: Rig, lasting_share: float) -> F64:
+def _noise(entries: Sequence[Entry], y: F64, rig: Rig, settings: TrackerSettings) -> F64:
     """Return the (3m, 3m) covariance of the measured centres' errors."""
     m = len(entries)
     R = np.array([entry.covariance_m2 for entry in entries])
@@ -64,10 +64,18 @@ def _noise(entries: Sequence[Entry], y: F64, rig: Rig, lasting_share: float) -> 
     for sensor in dict.fromkeys(sensors.tolist()):
         own = np.flatnonzero(sensors == sensor)
         pose = np.einsum("iab,bc,jdc->iajd", G[own], pose_covariance(rig, sensor), G[own])
-        lasting = lasting_share * np.einsum("iab,jcb->iajc", L[own], L[own])
+        alike = _alike([entries[i] for i in own], settings)
+        lasting = alike[:, None, :, None] * np.einsum("iab,jcb->iajc", L[own], L[own])
         N[own[:, None, None, None], np.arange(3)[None, :, None, None], own[None, None, :, None], np.arange(3)] = (
             pose + lasting
         )
     index = np.arange(m)
-    N[index, :, index] += (1.0 - lasting_share) * R
+    N[index, :, index] += (1.0 - settings.same_side_share) * R
     return np.asarray(N.reshape(3 * m, 3 * m))
+
+
+def _alike(entries: Sequence[Entry], settings: TrackerSettings) -> F64:
+    """Return the (k, k) correlation of one sensor's errors: a fruit carried on shows it another side."""
+    travelled = np.array([entry.travelled_m for entry in entries])
+    way = np.linalg.norm(travelled[:, None] - travelled[None], axis=2)
+    return np.asarray(settings.same_side_share * np.exp(-way / settings.same_side_m))

@@ -65,6 +65,7 @@ class Trail:
         position_m: (3,) estimated centre at `now_s`. travelled_m: (3,) the belt's displacement then.
         entries: kept sightings, in order of arrival.
         views: all views. whole: of them, seen whole. clear: of them, not cut by an edge.
+        shared: of them, cut out of a group.
         expected: frames that should have shown it. unseen: of them, the last ones in a row that did not.
         looks: (5,) running mean. size_m: running mean diameter.
         company: by the number of another track.
@@ -81,6 +82,7 @@ class Trail:
     views: int = 0
     whole: int = 0
     clear: int = 0
+    shared: int = 0
     expected: int = 0
     unseen: int = 0
     company: dict[int, Company] = field(default_factory=dict)
@@ -98,6 +100,7 @@ class Trail:
         self.unseen = 0
         self.whole += entry.view.whole
         self.clear += not entry.cut
+        self.shared += entry.view.shared
         if not entry.cut or not self.clear:
             weight = max(1.0 / max(self.clear, 1), 0.05)
             self.looks = self.looks + weight * (looks - self.looks)
@@ -118,6 +121,7 @@ class Trail:
         self.views += round(share * other.views)
         self.whole += round(share * other.whole)
         self.clear += round(share * other.clear)
+        self.shared += round(share * other.shared)
         self.first_s, self.last_s = min(self.first_s, other.first_s), max(self.last_s, other.last_s)
         self.expected = max(self.expected, other.expected)
         self.unseen = min(self.unseen, other.unseen)
