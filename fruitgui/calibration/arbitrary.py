@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import open3d as o3d
 
 VOXEL_M = 0.05
-GUESSES = 4
+GUESSES = 2
 FARTHEST_M = 3.5
 LEAST_OVERLAP = 0.35
 MOST_THROUGH = 0.06
@@ -141,7 +141,7 @@ def _guesses(source: Scan, target: Scan, seed: int) -> list[Pose]:
                 registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
                 registration.CorrespondenceCheckerBasedOnDistance(1.5 * VOXEL_M),
             ],
-            criteria=registration.RANSACConvergenceCriteria(20_000, 0.999),
+            criteria=registration.RANSACConvergenceCriteria(8_000, 0.999),
         )
         matrix = np.asarray(found.transformation)
         pose = Pose(matrix[:3, :3].copy(), matrix[:3, 3].copy())

@@ -178,7 +178,7 @@ def _solved(reference: str, edges: Sequence[Edge]) -> tuple[dict[str, Shift], di
             g += J.T @ omega @ e
         if not free:
             break
-        step: F64 = -np.linalg.solve(H, g)
+        step = -np.asarray(np.linalg.solve(H, g), dtype=np.float64)
         places |= {s: places[s].about(np.zeros(2), step[column[s] : column[s] + 3]) for s in free}
         if np.abs(step).max() < 1e-9:
             break

@@ -10,6 +10,7 @@ from fruitgui.calibration import coarse, fine
 from fruitgui.calibration.evidence import Evidence, Sight, evidence
 from fruitgui.calibration.fine import Fit, Target
 from fruitgui.calibration.flat import Shift
+from fruitgui.calibration.lines import lines, turn_between
 from fruitgui.calibration.relief import Relief
 from fruitgui.calibration.result import Code, PairQuality
 from fruitgui.frame import F64
@@ -31,6 +32,7 @@ class Ready:
         self.sight = Sight(relief)
         self.target = Target(relief)
         self.thin = _thinned(relief, 6)
+        self.lines = lines(relief)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,7 +82,8 @@ def register(source: Ready, target: Ready) -> Registration:
     if code is not None:
         return _refused(source, target, code, what, ranked)
     best, start = ranked[0]
-    covariance = about_origin(fine.covariance(source.relief, best.fit), best.fit.matched.centre_m)
+    best, covariance = _held_by_lines(source, target, best)
+    covariance = about_origin(covariance, best.fit.matched.centre_m)
     return Registration(
         source.relief.sensor, target.relief.sensor, None, "", best, start, covariance,
         _quality(source, target, ranked, accepted=True),
@@ -92,6 +95,21 @@ def about_origin(covariance: F64, centre_m: F64) -> F64:
     J = np.eye(3)
     J[0, 2], J[1, 2] = centre_m[1], -centre_m[0]
     return np.asarray(J @ covariance @ J.T)
+
+
+def _held_by_lines(source: Ready, target: Ready, best: Hypothesis) -> tuple[Hypothesis, F64]:
+    """Return the best fit with its heading corrected by rails that both see, and its covariance about its centre.
+
+    A line that contradicts the fruit by more than four standard deviations is not the same line.
+    """
+    covariance = fine.covariance(source.relief, best.fit)
+    turn = turn_between(source.lines, target.lines, best.shift)
+    if turn is None or turn.turn_rad**2 > 16 * (covariance[2, 2] + turn.std_rad**2):
+        return best, covariance
+    gain = covariance[:, 2] / (covariance[2, 2] + turn.std_rad**2)
+    shift = best.shift.about(best.fit.matched.centre_m, gain * turn.turn_rad)
+    held = replace(best, fit=replace(best.fit, shift=shift))
+    return held, np.asarray(covariance - np.outer(gain, covariance[2]))
 
 
 def _ranked(source: Ready, target: Ready) -> list[tuple[Hypothesis, Shift]]:
@@ -163,7 +181,7 @@ def _verdict(source: Ready, target: Ready, ranked: list[tuple[Hypothesis, Shift]
         return "ambiguous", f"What {names} see fits together in two or more ways."
     if said.conflicting:
         return _conflict(names, said)
-    covariance = fine.covariance(source.relief, best.fit)
+    _, covariance = _held_by_lines(source, target, best)
     position = float(np.sqrt(covariance[0, 0] + covariance[1, 1]))
     if position > WORST_POSITION_STD_M or covariance[2, 2] > WORST_HEADING_STD_RAD**2:
         return "too_little_structure", (

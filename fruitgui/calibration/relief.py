@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 
 from fruitgui.calibration import planes
-from fruitgui.calibration.still import INVERSE_STEP, Still
+from fruitgui.calibration.still import INVERSE_NOISE, INVERSE_STEP, Still
 from fruitgui.calibration.surface import Belt
 from fruitgui.frame import F64, Bools, Ints
 from fruitgui.geometry.pose import Pose
@@ -102,7 +102,7 @@ def relief(still: Still, belt: Belt) -> Relief:
     height_m = flat[..., 2]
     sound = still.seen & (_from_edges(still) >= edge_px(still))
     z = np.divide(1.0, still.inverse_depth, out=np.zeros_like(still.inverse_depth), where=still.seen)
-    noise_m = 1.5 * planes.ON_PLANE * z**2
+    noise_m = (0.5 * INVERSE_STEP + 3.0 * INVERSE_NOISE / np.sqrt(min(still.captures, 8))) * z**2
     risen = still.seen & (height_m > LOWEST_M + noise_m) & (height_m < HIGHEST_M)
     ground = _ground(flat, still.seen, risen & sound, np.abs(height_m) < 0.006 + noise_m)
     names = _things(ground, belt, frame)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import cv2
 import numpy as np
@@ -114,8 +114,8 @@ def _robust_mean(inverse: Sequence[F32]) -> F32:
         total += np.where(near, one, 0)
         count += near
     enough = count * 2 >= len(inverse)
-    mean: F32 = np.divide(total, count, out=np.zeros_like(total), where=enough & (count > 0))
-    return mean
+    mean = np.divide(total, np.maximum(count, 1.0))
+    return np.asarray(np.where(enough, mean, 0.0), dtype=np.float32)
 
 
 def _median_of_readings(stack: F32) -> F32:
@@ -131,20 +131,40 @@ def _median_of_readings(stack: F32) -> F32:
 def _moved(inverse: Sequence[F32]) -> Bools:
     """Return where groups of captures, in order of time, disagree over patches wider than any edge flickers.
 
-    Depth edges flicker by up to two pixels, in bands two pixels wide; something that moved by a
-    centimetre changes a patch at least five pixels wide somewhere.
+    Depth edges flicker by up to two pixels, in bands two pixels wide, and readings of steep faces jitter
+    with them; something that moved by a centimetre changes a patch at least five pixels wide somewhere
+    that was, or then is, no steep face.
     """
     height, width = inverse[0].shape
     changed = np.zeros((height, width), dtype=np.uint8)
-    groups = [_robust_mean(group) for group in _in_groups(inverse, 5)]
+    parts = _in_groups(inverse, 5)
+    groups = [_robust_mean(part) for part in parts]
     patch = max(3, round(5 * width / 640)) | 1
     kernel = np.ones((patch, patch), np.uint8)
-    captures = min(len(group) for group in _in_groups(inverse, 5))
-    bound = INVERSE_STEP + 5.0 * INVERSE_NOISE * np.sqrt(2.0 / captures)
-    for before, after in [(a, b) for i, a in enumerate(groups) for b in groups[i + 1 :]]:
-        differs = (np.abs(before - after) > bound) & (before > 0) & (after > 0)
+    steep = [_range(group) for group in groups]
+    fewest = min(len(part) for part in parts)
+    bound = INVERSE_STEP + 5.0 * INVERSE_NOISE * np.sqrt(2.0 / fewest)
+    for i, j in combinations(range(len(groups)), 2):
+        before, after = groups[i], groups[j]
+        allowed = bound + 0.75 * np.minimum(steep[i], steep[j])
+        differs = (np.abs(before - after) > allowed) & (before > 0) & (after > 0)
         changed |= cv2.morphologyEx(differs.astype(np.uint8), cv2.MORPH_OPEN, kernel)
-    return changed.astype(bool)
+    return _large_blobs(changed, round(2.5 * patch**2))
+
+
+def _range(inverse: F32) -> F32:
+    """Return the range of readings within two pixels of each pixel, gaps left out."""
+    kernel = np.ones((5, 5), np.uint8)
+    low = cv2.erode(np.where(inverse > 0, inverse, np.float32(np.inf)).astype(np.float32), kernel)
+    high = cv2.dilate(inverse, kernel)
+    return np.where(np.isfinite(low), high - low, np.float32(0.0)).astype(np.float32)
+
+
+def _large_blobs(changed: U8, least_px: int) -> Bools:
+    _, names, stats, _ = cv2.connectedComponentsWithStats(changed, connectivity=8)
+    large = stats[:, cv2.CC_STAT_AREA] >= least_px
+    large[0] = False
+    return np.asarray(large[names])
 
 
 def _in_groups(inverse: Sequence[F32], most: int) -> list[Sequence[F32]]:
