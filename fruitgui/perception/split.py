@@ -25,8 +25,11 @@ from fruitgui.perception.settings import PerceptionSettings
 CONVEX = 0.945
 """An outline that fills this part of its convex hull has no notch where two fruit could meet …"""
 
-CONVEX_PART = 0.83
-"""… and is cut only if every part fills this part of its own: bowls and holes of missing readings leave crescents."""
+CRESCENT = 0.83
+"""A part that fills less of its own hull is a crescent: what one sees of a fruit behind another, or a piece of a bowl."""
+
+ROUND = 0.93
+"""A part that fills this much may be the fruit in front. There cannot be more crescents than such."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,10 +95,12 @@ def part_contours(parts: U8, corner: tuple[int, int], least_px: float) -> list[C
 
 
 def _is_sound(group: Contour, parts: list[Contour]) -> bool:
-    """Tell whether a cut leaves several parts, and nothing convex is cut into something that is not."""
+    """Tell whether a cut leaves several parts, and something convex is not cut into crescents as a bowl would be."""
     if len(parts) < 2:
         return False
-    return solidity(group) <= CONVEX or min(solidity(part) for part in parts) >= CONVEX_PART
+    filled = [solidity(part) for part in parts]
+    crescents, rounds = sum(part < CRESCENT for part in filled), sum(part >= ROUND for part in filled)
+    return solidity(group) <= CONVEX or crescents <= rounds
 
 
 class HeightSplitter:
@@ -110,9 +115,9 @@ class HeightSplitter:
         reach = int(np.clip(round(0.3 * smallest_px / self._scale), 1, 6))
         self._window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
         belt_z = np.array(limits.belt_z_m)
-        # A surface seen at 63° recedes by tan 63° = 2 pixels' width per pixel; the depth's own steps add to it.
-        slope_m = 2.0 * self._scale * limits.belt_z_m / limits.focal_px
-        self._allowed_mm = round(1e3 * (slope_m + 1.5 * float(settings.step_at_m(belt_z))))
+        # A surface seen at 56° recedes by tan 56° = 1.5 pixels' width per pixel; the depth's own steps add to it.
+        slope_m = 1.5 * self._scale * limits.belt_z_m / limits.focal_px
+        self._allowed_mm = round(1e3 * (slope_m + 1.2 * float(settings.step_at_m(belt_z))))
         self._least_dip_m = max(0.005, 3.0 * float(settings.noise_at_m(belt_z)))
         self._thin_px = 0.33 * smallest_px / self._scale
         self._least_px = 0.3 * np.pi / 4.0 * smallest_px**2

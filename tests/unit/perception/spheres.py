@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -91,7 +92,7 @@ def row_of_balls(radii_m: tuple[float, ...], gap_m: float, **table: object) -> T
     empty = Table((), **table)  # type: ignore[arg-type]
     middle = empty.plane().frame().apply(np.array([0.0, 0.0, empty.height_m / np.cos(empty.tilt_rad)]))
     places = [0.0]
-    for before, after in zip(radii_m, radii_m[1:], strict=False):
+    for before, after in pairwise(radii_m):
         # Balls of unlike radius on one plane touch at a distance of 2 √(r₁ r₂).
         places.append(places[-1] + 2.0 * np.sqrt(before * after) + gap_m)
     shift = (places[0] + places[-1]) / 2.0
