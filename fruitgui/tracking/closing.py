@@ -13,6 +13,9 @@ from fruitgui.tracking.smooth import smoothed_path
 from fruitgui.tracking.track import Sighting, Track
 from fruitgui.tracking.trail import Trail
 
+LATE_NEIGHBOUR_M = 0.3
+"""A fruit given out is remembered while anything is followed this near to it: a piece of it may still come."""
+
 
 class Closing:
     """Trails that left, held until their neighbours have left too, so that all evidence is in."""
@@ -22,6 +25,7 @@ class Closing:
         self._settings = settings
         self._resolver = resolver
         self._held: list[tuple[Trail, bool]] = []
+        self._done: list[Trail] = []
 
     def close(self, trail: Trail, crossed: bool) -> None:
         """Take a trail that is followed no longer; `crossed`: it left the field by itself."""
@@ -35,6 +39,8 @@ class Closing:
         tracks: list[Track] = []
         for trail, crossed in ready:
             tracks += self._settle(trail, crossed, live)
+        followed = [*live, *(trail for trail, _ in self._held)]
+        self._done = [trail for trail in self._done if _has_neighbour(trail, followed, LATE_NEIGHBOUR_M)]
         return tracks
 
     def release_all(self) -> list[Track]:
@@ -43,13 +49,18 @@ class Closing:
 
     def _settle(self, trail: Trail, crossed: bool, live: Sequence[Trail]) -> list[Track]:
         self._held = [held for held in self._held if held[0] is not trail]
-        others = [held[0] for held in self._held] + list(live)
+        others = [held[0] for held in self._held] + list(live) + self._done
         twin = self._resolver.twin(trail, others)
         if twin is not None:
-            if _like(trail, twin):
+            if _like(trail, twin) and twin not in self._done:
                 twin.absorb(trail, self._settings.kept_views)
             return []
-        return [self._track(trail)] if self._resolver.counts(trail, crossed) else []
+        if not self._resolver.counts(trail, crossed):
+            return []
+        track = self._track(trail)
+        trail.entries = []
+        self._done.append(trail)
+        return [track]
 
     def _track(self, trail: Trail) -> Track:
         entries = sorted(trail.entries, key=lambda entry: entry.time_s)
@@ -63,11 +74,11 @@ class Closing:
         )
 
 
-def _has_neighbour(trail: Trail, live: Sequence[Trail]) -> bool:
+def _has_neighbour(trail: Trail, live: Sequence[Trail], within_m: float = NEIGHBOUR_M) -> bool:
     if not live:
         return False
     places = np.array([other.place_m for other in live])
-    return bool(np.linalg.norm(places - trail.place_m, axis=1).min() < NEIGHBOUR_M)
+    return bool(np.linalg.norm(places - trail.place_m, axis=1).min() < within_m)
 
 
 def _like(trail: Trail, twin: Trail) -> bool:

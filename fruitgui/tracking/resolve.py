@@ -62,23 +62,14 @@ class Majority:
 
     def twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
         """Return the better supported trail that is the same fruit, if there is one."""
-        near = [other for other in others if other is not trail and distance_m(trail, other) < NEIGHBOUR_M]
-        whole = max((other for other in near if _is_piece_of(trail, other)), key=_rank, default=None)
-        pairs = self._pair_it_covers(trail, near) if whole is None else whole
-        if pairs is not None:
-            return pairs
-        same = [other for other in near if _is_same(trail, other) and _rank(other) > _rank(trail)]
-        return max(same, key=_rank, default=None)
-
-    def _pair_it_covers(self, trail: Trail, near: list[Trail]) -> Trail | None:
-        """Return one of two neighbours that this trail is the unseparated group of, if the frames say so."""
-        apart = [other for other in near if _together(trail, other) <= ALMOST_NEVER and _sees_as_one(trail, other)]
-        for i, first in enumerate(apart):
-            for second in apart[i + 1 :]:
-                both = _company(first, second).both
-                if both >= OFTEN_ENOUGH * (both + trail.clear) and both > 0:
-                    return max(first, second, key=_rank)
-        return None
+        others = [other for other in others if other is not trail]
+        whole = max((other for other in others if _is_piece_of(trail, other)), key=_rank, default=None)
+        covered = _pair_under(trail, others)
+        if whole is not None or covered is not None:
+            return covered if whole is None else whole
+        same = [other for other in others if _is_same(trail, other) and _rank(other) > _rank(trail)]
+        bodies = [other for other in same if _pair_under(other, [*others, trail]) is None]
+        return max(bodies, key=_rank, default=None)
 
     def counts(self, trail: Trail, crossed: bool) -> bool:
         """Tell whether there is evidence enough for one fruit that rides on the belt."""
@@ -92,6 +83,17 @@ class Majority:
         often = trail.views >= 0.3 * trail.expected
         few_possible = trail.expected <= least + 1 and trail.clear >= least - 1
         return often and (trail.clear >= least or few_possible)
+
+
+def _pair_under(trail: Trail, others: list[Trail]) -> Trail | None:
+    """Return the better of two neighbours whose unseparated group this trail is, if the frames say so."""
+    apart = [other for other in others if _sees_as_one(trail, other) and _together(trail, other) <= ALMOST_NEVER]
+    for i, first in enumerate(apart):
+        for second in apart[i + 1 :]:
+            both = _company(first, second).both
+            if both >= OFTEN_ENOUGH * (both + trail.clear) and both > 0:
+                return max(first, second, key=_rank)
+    return None
 
 
 def _rank(trail: Trail) -> tuple[int, int, int]:
@@ -115,7 +117,7 @@ def _together(first: Trail, second: Trail) -> float:
 
 
 def _sees_as_one(first: Trail, second: Trail) -> bool:
-    return distance_m(first, second) < 0.8 * max(first.size_m, second.size_m)
+    return first is not second and distance_m(first, second) < 0.8 * max(first.size_m, second.size_m)
 
 
 def _is_same(first: Trail, second: Trail) -> bool:
