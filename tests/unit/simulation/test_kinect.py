@@ -25,7 +25,10 @@ def measured(scan: Scan, model: DepthModel, seed: int = 0) -> F32:
 
 
 def stack(z_m: float, model: DepthModel, count: int = 12) -> F32:
-    return np.stack([measured(flat(z_m), model, seed) for seed in range(count)])
+    rng = np.random.default_rng(count)
+    bank = NoiseBank(*SHAPE, model.window_px, rng)
+    passing = replace(model, fixed_share=0.0)
+    return np.stack([measure_depth(flat(z_m), passing, model.focal_px, None, bank, rng) for _ in range(count)])
 
 
 def step(left_m: float, right_m: float, column: int = 160) -> Scan:

@@ -77,7 +77,7 @@ def test_seeds_vary_everything() -> None:
     ("layout", "count"), [("single", 1), ("opposed", 2), ("chain", 3), ("ring", 4), ("ring", 6), ("scattered", 5)]
 )
 def test_layouts_have_their_sensors_and_see_the_fruit(layout: str, count: int) -> None:
-    for seed in range(2):
+    for seed in range(2 if count < 4 else 1):
         sim = scenes.still_scene(seed, layout, 15, sensors=count, captures=1, conditions=QUICK)
         assert len(sim.sensors) == count
         assert len(sim.captures) == count
