@@ -26,7 +26,7 @@ CONVEX = 0.945
 """An outline that fills this part of its convex hull has no notch where two fruit could meet …"""
 
 CRESCENT = 0.83
-"""A part that fills less of its own hull is a crescent: what one sees of a fruit behind another, or a piece of a bowl."""
+"""A part that fills less of its own hull is a crescent: what shows of a fruit behind another, or a piece of a bowl."""
 
 ROUND = 0.93
 """A part that fills this much may be the fruit in front. There cannot be more crescents than such."""

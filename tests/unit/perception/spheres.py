@@ -12,6 +12,9 @@ from fruitgui.geometry.plane import Plane, Surface
 from fruitgui.perception import Perceiver
 from fruitgui.perception.view import FruitView
 
+GRAIN = np.random.default_rng(0).normal(0.0, 4.0, 100_003)
+"""Noise, prepared: a prime number of draws, shown from another place every time."""
+
 KINECT = Intrinsics(640, 480, 525.0, 525.0, 319.5, 239.5)
 
 
@@ -65,13 +68,15 @@ class Table:
         return Frame("ball", 0, 0.0, self._picture(color, rng), self._measured(z, rng), self.intrinsics)
 
     def _picture(self, color: F64, rng: np.random.Generator) -> np.ndarray:
-        return np.clip(color + rng.normal(0.0, 4.0, color.shape), 0, 255).astype(np.uint8)
+        grain = np.roll(GRAIN, int(rng.integers(GRAIN.size)))
+        return np.clip(color + np.resize(grain, color.shape), 0, 255).astype(np.uint8)
 
     def _measured(self, z: F64, rng: np.random.Generator) -> np.ndarray:
         """Depth in whole millimetres with noise and disparity steps, none beyond 4 m."""
         import cv2
 
-        noise = cv2.GaussianBlur(rng.normal(0.0, 1.0, z.shape), (0, 0), 1.5)
+        shift = int(rng.integers(GRAIN.size))
+        noise = cv2.GaussianBlur(np.resize(np.roll(GRAIN, shift), z.shape).astype(np.float32), (0, 0), 1.5)
         z = z + noise / noise.std() * self.noise_m * z**2
         if self.step_m > 0:
             with np.errstate(divide="ignore", invalid="ignore"):

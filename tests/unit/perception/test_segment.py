@@ -68,7 +68,7 @@ def test_a_rail_beside_the_region_is_no_fruit_even_where_noise_carries_it_over_t
     centre = plane.frame().apply(table.centres_m()[0])[:2]
     corners = np.array([[-0.6, -0.3], [0.6, -0.3], [0.6, 0.06], [-0.6, 0.06]]) + centre
     region = plane.frame().inverse().apply(np.hstack([corners, np.zeros((4, 1))]))
-    wall = tuple(Ball(x, centre[1] + 0.06 + 0.025, 0.025) for x in np.arange(-0.5, 0.5, 0.012))
+    wall = tuple(Ball(x, centre[1] + 0.06 + 0.025, 0.025) for x in np.arange(-0.4, 0.4, 0.02))
     both = Table((*table.balls, *wall), tilt_rad=0.3, region_m=region)
     found = views(both)
     assert len(found) == 1

@@ -16,8 +16,7 @@ from tests.unit.perception.spheres import KINECT, Ball, Table, nearest, perceive
 
 
 @pytest.mark.parametrize("tilt_rad", [0.1, 0.5, 0.8])
-@pytest.mark.parametrize("radii_m", [(0.035, 0.035), (0.03, 0.04), (0.035, 0.03, 0.04)])
-@pytest.mark.parametrize("height_m", [0.7, 1.1])
+@pytest.mark.parametrize(("radii_m", "height_m"), [((0.035, 0.035), 0.7), ((0.035, 0.03, 0.04), 1.1)])
 def test_balls_side_by_side_come_apart(tilt_rad: float, radii_m: tuple[float, ...], height_m: float) -> None:
     table = row_of_balls(radii_m, 0.0, tilt_rad=tilt_rad, height_m=height_m, seed=3)
     found = views(table)
