@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import BinaryIO
 
 from fruitgui.sensors.recordings.raw import (
-    MAX_CHUNK_BYTES,
     MAX_MESSAGE_BYTES,
     MalformedError,
     RawMessage,
@@ -20,7 +19,7 @@ from fruitgui.sensors.recordings.raw import (
     Wanted,
     plain_type,
 )
-from fruitgui.sensors.recordings.unpack import unpack
+from fruitgui.sensors.recordings.unpack import Part, unpack
 
 BAG_MAGIC = b"#ROSBAG V2.0\n"
 _MESSAGE, _BAG_HEADER, _CHUNK, _CONNECTION = 2, 3, 5, 7
@@ -106,11 +105,9 @@ class BagFile:
             self._soundness.skip(str(error))
 
     def _chunk(self, file: BinaryIO, fields: dict[bytes, bytes], length: int, *, cut: bool) -> Iterator[RawMessage]:
-        if length > MAX_CHUNK_BYTES:
-            raise MalformedError(f"a chunk is {length} bytes long")
         kind = fields.get(b"compression", b"none").decode("ascii", "replace")
         claimed = _number(fields, b"size", "<I")
-        yield from self._records(memoryview(unpack(kind, file.read(length), claimed, cut=cut)), cut=cut)
+        yield from self._records(memoryview(unpack(kind, Part(file, length), claimed, cut=cut)), cut=cut)
 
     def _records(self, view: memoryview, *, cut: bool) -> Iterator[RawMessage]:
         position = 0

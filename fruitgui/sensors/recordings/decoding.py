@@ -19,6 +19,9 @@ from fruitgui.sensors.recordings.topics import SensorTopics
 from fruitgui.sensors.recordings.wire import Picture, read_picture
 from fruitgui.sensors.registration import Registration
 
+_MOST_BYTES_PER_PIXEL = 8
+_MOST_HEAD_BYTES = 1024 * 1024
+
 
 class UnusableSensorError(Exception):
     """A sensor of a recording cannot be read; `what`, `where` and `remedy` say why. Never leaves the recordings."""
@@ -52,7 +55,13 @@ class Decoder:
         self._check_size(color_picture)
         depth_mm = self._depth(depth_picture, correction)
         color = decode_color(color_picture)
-        return Frame(self.sensor, sequence, pair.time_ns / 1e9, color, depth_mm, self.intrinsics)
+        return Frame(self.sensor, sequence, pair.time_ns / 1_000_000_000, color, depth_mm, self.intrinsics)
+
+    def check_bytes(self, count: int, *, depth: bool) -> None:
+        """Raise `MalformedError` where a message is far larger than its picture: it is not to be held."""
+        camera = self.registration.depth if depth and self.registration is not None else self.intrinsics
+        if count > camera.width * camera.height * _MOST_BYTES_PER_PIXEL + _MOST_HEAD_BYTES:
+            raise MalformedError("a message is far larger than its picture")
 
     def _check_size(self, picture: Picture) -> None:
         if picture_size(picture) != (self.intrinsics.width, self.intrinsics.height):

@@ -11,14 +11,15 @@ from __future__ import annotations
 import heapq
 import struct
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import BinaryIO
 
 from fruitgui.sensors.recordings.mcap_contents import Contents, read_contents
 from fruitgui.sensors.recordings.raw import (
-    MAX_CHUNK_BYTES,
     MAX_MESSAGE_BYTES,
+    MAX_UNPACKED_BYTES,
+    MAX_WHOLE_BYTES,
     MalformedError,
     RawMessage,
     Soundness,
@@ -33,15 +34,18 @@ from fruitgui.sensors.recordings.records import (
     MAGIC,
     MESSAGE,
     METADATA,
+    NO_RECORD,
     RECORD_HEAD,
     SCHEMA,
     Fields,
     walk,
+    walk_pieces,
 )
-from fruitgui.sensors.recordings.unpack import unpack
+from fruitgui.sensors.recordings.unpack import Part, pieces, unpack
 
 _MAX_SMALL_RECORD = 4 * 1024 * 1024
 _MAX_UNTANGLING_BYTES = 256 * 1024 * 1024
+_CHUNK_HEAD_BYTES = 256
 _MESSAGE_HEAD = struct.Struct("<HIQQ")
 _KEPT = frozenset({SCHEMA, CHANNEL, MESSAGE, METADATA})
 
@@ -107,11 +111,11 @@ class McapFile:
         while True:
             file.seek(position)
             head = file.read(RECORD_HEAD.size)
-            opcode, length = RECORD_HEAD.unpack(head) if len(head) == RECORD_HEAD.size else (0, 0)
+            opcode, length = RECORD_HEAD.unpack(head) if len(head) == RECORD_HEAD.size else (NO_RECORD, 0)
             if opcode in (DATA_END, FOOTER):
                 return
             end = position + RECORD_HEAD.size + length
-            if opcode == 0 or end > self._size:
+            if opcode == NO_RECORD or end > self._size:
                 self._soundness.cut(position, self._size)
                 if opcode == CHUNK:
                     yield opcode, -1
@@ -132,26 +136,22 @@ class McapFile:
             self._soundness.skip(str(error))
 
     def _chunk(self, file: BinaryIO, length: int) -> Iterator[tuple[int, memoryview]]:
-        if length > MAX_CHUNK_BYTES:
-            raise MalformedError("a chunk is too long")
-        chunk = file.read(length)
-        claimed, crc, kind, start, packed_length = _chunk_head(chunk)
-        if packed_length != length - start:
-            raise MalformedError("a chunk's length is not the length of what it holds")
-        content = unpack(kind, chunk[start:], claimed)
+        claimed, crc, kind, packed_length = _chunk_head(file, length)
+        part = Part(file, packed_length)
+        if claimed > MAX_WHOLE_BYTES:
+            return walk_pieces(_bounded(pieces(kind, part), claimed), MAX_MESSAGE_BYTES)
+        content = unpack(kind, part, claimed)
         if crc and zlib.crc32(content) != crc:
             raise MalformedError("a chunk's checksum does not fit its content")
         return walk(memoryview(content))
 
     def _cut_chunk(self, file: BinaryIO) -> Iterator[tuple[int, memoryview]]:
-        """Return what the last, incomplete chunk of a cut file still holds."""
-        chunk = file.read(MAX_CHUNK_BYTES)
+        """Yield what the last, incomplete chunk of a cut file still holds."""
         try:
-            claimed, _, kind, start, packed_length = _chunk_head(chunk)
-            content = unpack(kind, chunk[start:], claimed, cut=True) if len(chunk) - start < packed_length else b""
+            claimed, _, kind, packed_length = _chunk_head(file, None)
+            yield from walk_pieces(_bounded(pieces(kind, Part(file, packed_length)), claimed), MAX_MESSAGE_BYTES)
         except MalformedError:
-            content = b""
-        return walk(memoryview(content))
+            return
 
     def _untangled(self) -> Iterator[tuple[int, memoryview]]:
         """Yield the records with messages in order of their log times, by the table of contents."""
@@ -211,10 +211,27 @@ class McapFile:
             self._metadata[name] = fields.table()
 
 
-def _chunk_head(chunk: bytes) -> tuple[int, int, str, int, int]:
-    """Return (unpacked size, checksum, packing, where the packed bytes start, how many they are)."""
-    fields = Fields(memoryview(chunk))
+def _chunk_head(file: BinaryIO, length: int | None) -> tuple[int, int, str, int]:
+    """Return (unpacked size, checksum, packing, packed size) of a chunk, the file then standing at its content.
+
+    Raises `MalformedError` where the chunk's head is not one, or does not fit the chunk's length.
+    """
+    start = file.tell()
+    fields = Fields(memoryview(file.read(_CHUNK_HEAD_BYTES)))
     fields.number("Q")
     fields.number("Q")
     claimed, crc, kind, packed = fields.number("Q"), fields.number("I"), fields.text(), fields.number("Q")
-    return claimed, crc, kind, fields.position, packed
+    if length is not None and packed != length - fields.position:
+        raise MalformedError("a chunk's length is not the length of what it holds")
+    file.seek(start + fields.position)
+    return claimed, crc, kind, packed
+
+
+def _bounded(unpacked: Iterable[bytes], claimed: int) -> Iterator[bytes]:
+    """Yield pieces up to what the chunk claims to hold, at most `MAX_UNPACKED_BYTES`."""
+    left = min(claimed, MAX_UNPACKED_BYTES)
+    for piece in unpacked:
+        yield piece[:left]
+        left -= len(piece)
+        if left <= 0:
+            return

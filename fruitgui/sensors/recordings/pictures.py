@@ -13,7 +13,7 @@ from fruitgui.frame import U8, U16
 from fruitgui.sensors.recordings.raw import MalformedError
 from fruitgui.sensors.recordings.wire import Picture
 
-MAX_PIXELS = 4096 * 4096
+MAX_PIXELS = 4096 * 3072
 _MAX_SIDE = 16384
 _PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG = b"\xff\xd8\xff"

@@ -9,11 +9,14 @@ from typing import Protocol
 Wanted = Callable[[str], bool]
 """Tells whether the messages of a topic are wanted."""
 
-MAX_MESSAGE_BYTES = 128 * 1024 * 1024
-"""No image that this program reads is larger; a longer message is skipped unread."""
+MAX_MESSAGE_BYTES = 64 * 1024 * 1024
+"""No picture that this program reads is larger; a longer message is skipped unread."""
 
-MAX_CHUNK_BYTES = 256 * 1024 * 1024
-"""No chunk is unpacked beyond this, whatever it claims."""
+MAX_WHOLE_BYTES = 32 * 1024 * 1024
+"""Chunks up to this size are unpacked whole and checked before they are used, larger ones as they are read."""
+
+MAX_UNPACKED_BYTES = 8 * 1024 * 1024 * 1024
+"""No chunk is followed farther than this, whatever it claims."""
 
 
 class MalformedError(ValueError):

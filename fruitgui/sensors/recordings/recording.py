@@ -112,6 +112,7 @@ class Recording:
         for message in self._container.messages(self._roles.__contains__):
             sensor, depth = self._roles[message.topic]
             try:
+                self._decoders[sensor].check_bytes(len(message.data), depth=depth)
                 stamp = stamp_ns(message)
             except MalformedError as error:
                 if depth:

@@ -3,26 +3,53 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from fruitgui.sensors.recordings.raw import MalformedError
 
 MAGIC = b"\x89MCAP0\r\n"
+NO_RECORD = 0x00
 HEADER, FOOTER, SCHEMA, CHANNEL, MESSAGE, CHUNK = 0x01, 0x02, 0x03, 0x04, 0x05, 0x06
 CHUNK_INDEX, STATISTICS, METADATA, DATA_END = 0x08, 0x0B, 0x0C, 0x0F
 RECORD_HEAD = struct.Struct("<BQ")
 
 
 def walk(view: memoryview) -> Iterator[tuple[int, memoryview]]:
-    """Yield (opcode, content) of the whole records in `view`, up to the first that does not fit."""
+    """Yield (opcode, content) of the whole records in `view`, up to the first that is none or does not fit."""
     position = 0
     while position + RECORD_HEAD.size <= len(view):
         opcode, length = RECORD_HEAD.unpack_from(view, position)
         position += RECORD_HEAD.size
-        if position + length > len(view):
+        if opcode == NO_RECORD or position + length > len(view):
             return
         yield opcode, view[position : position + length]
         position += length
+
+
+def walk_pieces(pieces: Iterable[bytes], longest: int) -> Iterator[tuple[int, memoryview]]:
+    """Yield (opcode, content) of the records in bytes that come piece by piece.
+
+    Records longer than `longest` are passed over without being held.
+    """
+    held, skip = b"", 0
+    for piece in pieces:
+        passed = min(skip, len(piece))
+        skip -= passed
+        held += piece[passed:]
+        position = 0
+        while position + RECORD_HEAD.size <= len(held):
+            opcode, length = RECORD_HEAD.unpack_from(held, position)
+            end = position + RECORD_HEAD.size + length
+            if opcode == NO_RECORD:
+                return
+            if end > len(held):
+                if length <= longest:
+                    break
+                skip = end - len(held)
+            elif length <= longest:
+                yield opcode, memoryview(held)[position + RECORD_HEAD.size : end]
+            position = end
+        held = held[position:]
 
 
 class Fields:

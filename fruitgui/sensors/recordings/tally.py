@@ -28,7 +28,7 @@ class Tally:
     def read(self, sensor: str, time_ns: int) -> None:
         """Count one frame given."""
         self.frames[sensor] = self.frames.get(sensor, 0) + 1
-        self.last_s = time_ns / 1e9
+        self.last_s = time_ns / 1_000_000_000
 
     def undecodable(self, sensor: str, cause: str) -> None:
         """Count one frame that could not be decoded."""

@@ -2,78 +2,104 @@
 
 from __future__ import annotations
 
-import io
+from collections.abc import Iterator
+from typing import Any, BinaryIO
 
-from fruitgui.sensors.recordings.raw import MAX_CHUNK_BYTES, MalformedError
+from fruitgui.sensors.recordings.raw import MAX_WHOLE_BYTES, MalformedError
 
 _PIECE = 4 * 1024 * 1024
+_PACKED_PIECE = 128 * 1024
 
 
-def unpack(kind: str, data: bytes, claimed: int, *, cut: bool = False) -> bytes:
+class Part:
+    """So many bytes of a file, from where it stands, as a file of its own that is only read forward."""
+
+    def __init__(self, file: BinaryIO, length: int) -> None:
+        self._file = file
+        self._left = length
+
+    def read(self, size: int = -1) -> bytes:
+        """Return up to `size` bytes, none at the end."""
+        data = self._file.read(self._left if size < 0 else min(size, self._left))
+        self._left -= len(data)
+        return data
+
+
+def unpack(kind: str, source: Part, claimed: int, *, cut: bool = False) -> bytes:
     """Return the unpacked bytes of a chunk.
 
     Args:
         kind: "", "none", "zstd", "lz4" or "bz2".
-        data: the packed bytes.
+        source: the packed bytes.
         claimed: how many bytes the file says come out; never more are made.
         cut: the packed bytes end early; what they hold is returned.
 
     Raises:
-        MalformedError: unknown packing, damaged, or not as long as claimed.
+        MalformedError: unknown packing, damaged, larger than `MAX_WHOLE_BYTES`, or not as long as claimed.
     """
-    if claimed > MAX_CHUNK_BYTES:
-        raise MalformedError(f"a chunk claims {claimed} bytes")
-    if kind in ("", "none"):
-        unpacked = data[:claimed] if cut else data
-    elif kind == "zstd":
-        unpacked = _unpack_zstd(data, claimed, cut)
-    elif kind == "lz4":
-        unpacked = _unpack_lz4(data, claimed, cut)
-    elif kind == "bz2":
-        unpacked = _unpack_bz2(data, claimed, cut)
-    else:
-        raise MalformedError(f"a chunk is packed with {kind[:20]!r}, which is not supported")
+    if claimed > MAX_WHOLE_BYTES:
+        raise MalformedError("a chunk claims to be too large")
+    taken: list[bytes] = []
+    left = claimed + 1
+    try:
+        for piece in pieces(kind, source):
+            taken.append(piece[:left])
+            left -= len(taken[-1])
+            if left <= 0:
+                break
+    except MalformedError:
+        if not cut:
+            raise
+    unpacked = taken[0] if len(taken) == 1 else b"".join(taken)
     if not cut and len(unpacked) != claimed:
         raise MalformedError("a chunk is not as long as it claims")
     return unpacked
 
 
-def _unpack_zstd(data: bytes, claimed: int, cut: bool) -> bytes:
+def pieces(kind: str, source: Part) -> Iterator[bytes]:
+    """Yield what comes out of packed bytes, a few megabytes at a time. Raises `MalformedError` where damaged."""
+    if kind in ("", "none"):
+        while piece := source.read(_PIECE):
+            yield piece
+    elif kind == "zstd":
+        yield from _zstd_pieces(source)
+    elif kind == "lz4":
+        yield from _fed_pieces(_lz4_decompressor(), source)
+    elif kind == "bz2":
+        import bz2
+
+        yield from _fed_pieces(bz2.BZ2Decompressor(), source)
+    else:
+        raise MalformedError(f"a chunk is packed with {kind[:20]!r}, which is not supported")
+
+
+def _zstd_pieces(source: Part) -> Iterator[bytes]:
     import zstandard
 
-    pieces = []
-    left = claimed + 1
     try:
-        with zstandard.ZstdDecompressor(max_window_size=2**27).stream_reader(io.BytesIO(data)) as stream:
-            while left and (piece := stream.read(min(left, _PIECE))):
-                pieces.append(piece)
-                left -= len(piece)
+        with zstandard.ZstdDecompressor(max_window_size=2**27).stream_reader(source, read_size=_PACKED_PIECE) as stream:
+            while piece := stream.read(_PIECE):
+                yield piece
     except zstandard.ZstdError as error:
-        if not cut:
-            raise MalformedError("a zstd chunk is damaged") from error
-    return b"".join(pieces)
+        raise MalformedError("a zstd chunk is damaged") from error
 
 
-def _unpack_lz4(data: bytes, claimed: int, cut: bool) -> bytes:
+def _lz4_decompressor() -> Any:  # noqa: ANN401 - lz4 has no stubs
     try:
         import lz4.frame  # type: ignore[import-untyped]
     except ImportError as error:
         raise MalformedError("a chunk is packed with lz4, which is not installed") from error
-    try:
-        unpacked: bytes = lz4.frame.LZ4FrameDecompressor().decompress(data, max_length=claimed + 1)
-    except RuntimeError as error:
-        if cut:
-            return b""
-        raise MalformedError("an lz4 chunk is damaged") from error
-    return unpacked
+    return lz4.frame.LZ4FrameDecompressor()
 
 
-def _unpack_bz2(data: bytes, claimed: int, cut: bool) -> bytes:
-    import bz2
-
-    try:
-        return bz2.BZ2Decompressor().decompress(data, max_length=claimed + 1)
-    except (OSError, EOFError) as error:
-        if cut:
-            return b""
-        raise MalformedError("a bz2 chunk is damaged") from error
+def _fed_pieces(decompressor: Any, source: Part) -> Iterator[bytes]:  # noqa: ANN401 - of lz4 or bz2, alike
+    """Yield the pieces of a decompressor that is fed, at most so much at a time."""
+    while not decompressor.eof:
+        packed = source.read(_PACKED_PIECE) if decompressor.needs_input else b""
+        if decompressor.needs_input and not packed:
+            return
+        try:
+            piece = decompressor.decompress(packed, max_length=_PIECE)
+        except (RuntimeError, OSError, EOFError) as error:
+            raise MalformedError("a chunk is damaged") from error
+        yield piece

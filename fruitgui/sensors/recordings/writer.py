@@ -74,8 +74,14 @@ class RecordingWriter:
             log_time_ns: when it came, host clock; its own stamp where not given.
 
         Raises:
+            InputError: of a sensor that was not announced, or with a time that no stamp can hold.
             WorldError: the disk is full or gone; nothing is left behind.
         """
+        if (frame.sensor, _DEPTH) not in self._channels:
+            raise InputError(
+                "unknown_sensor", f"Sensor {frame.sensor} was not announced to the recording.",
+                "Begin the recording with every sensor that it shall hold.", file=self.path,
+            )  # fmt: skip
         stamp = _stamp_ns(frame.time_s)
         frame_id = f"{frame.sensor}_rgb_optical_frame"
         info = self._messages.camera_info(stamp, frame_id, frame.intrinsics)

@@ -12,6 +12,7 @@ import numpy as np
 from mcap.writer import CompressionType, Writer
 from rosbags.rosbag1 import Writer as BagWriter
 from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys.store import Typestore
 
 ROS2 = get_typestore(Stores.ROS2_HUMBLE)
 ROS1 = get_typestore(Stores.ROS1_NOETIC)
@@ -29,14 +30,14 @@ class Message:
     fields: dict[str, Any]
 
 
-def header(store: Any, stamp_ns: int, frame_id: str) -> Any:
+def header(store: Typestore, stamp_ns: int, frame_id: str) -> Any:  # noqa: ANN401 - made by rosbags at run time
     seconds, nanoseconds = divmod(stamp_ns, 10**9)
     stamp = store.types["builtin_interfaces/msg/Time"](sec=seconds, nanosec=nanoseconds)
     kind = store.types["std_msgs/msg/Header"]
     return kind(seq=0, stamp=stamp, frame_id=frame_id) if store is ROS1 else kind(stamp=stamp, frame_id=frame_id)
 
 
-def image(topic: str, time_s: float, encoding: str, pixels: np.ndarray, **fields: Any) -> Message:
+def image(topic: str, time_s: float, encoding: str, pixels: np.ndarray, **fields: int) -> Message:
     """An Image of an array of any type; give `step` to pad the rows."""
     rows = np.ascontiguousarray(pixels).view(np.uint8).reshape(pixels.shape[0], -1)
     step = fields.get("step", rows.shape[1])
@@ -49,15 +50,15 @@ def image(topic: str, time_s: float, encoding: str, pixels: np.ndarray, **fields
     return Message(topic, "sensor_msgs/msg/Image", time_s, {**parts, **fields})
 
 
-def packed(topic: str, time_s: float, form: str, data: bytes, **fields: Any) -> Message:
+def packed(topic: str, time_s: float, form: str, data: bytes) -> Message:
     parts = {
         "stamp_ns": round(time_s * 1e9), "frame_id": topic.split("/")[1] + "_optical", "format": form,
         "data": np.frombuffer(data, np.uint8),
     }  # fmt: skip
-    return Message(topic, "sensor_msgs/msg/CompressedImage", time_s, {**parts, **fields})
+    return Message(topic, "sensor_msgs/msg/CompressedImage", time_s, parts)
 
 
-def camera_info(topic: str, time_s: float, **fields: Any) -> Message:
+def camera_info(topic: str, time_s: float, **fields: object) -> Message:
     """A CameraInfo of the small camera; any field may be given otherwise."""
     parts = {
         "stamp_ns": round(time_s * 1e9), "frame_id": topic.split("/")[1] + "_optical", "height": HEIGHT,
@@ -106,7 +107,7 @@ def png(pixels: np.ndarray) -> bytes:
 
 def write_mcap(
     path: Path, messages: Iterable[Message], *, compression: CompressionType = CompressionType.ZSTD,
-    chunk_size: int = 40_000, wire: str = "cdr", **options: Any,
+    chunk_size: int = 40_000, wire: str = "cdr", **options: int,
 ) -> Path:  # fmt: skip
     """Write messages in the order given."""
     with path.open("wb") as file:
@@ -116,7 +117,7 @@ def write_mcap(
         schemas: dict[str, int] = {}
         for message in messages:
             if message.kind not in schemas:
-                name, encoding, text = _schema(message.kind, wire)
+                name, encoding, text = schema(message.kind, wire)
                 schemas[message.kind] = writer.register_schema(name, encoding, text)
             if message.topic not in channels:
                 channels[message.topic] = writer.register_channel(message.topic, wire, schemas[message.kind])
@@ -126,7 +127,7 @@ def write_mcap(
     return path
 
 
-def _schema(kind: str, wire: str) -> tuple[str, str, bytes]:
+def schema(kind: str, wire: str) -> tuple[str, str, bytes]:
     if wire == "cdr":
         return kind, "ros2msg", ROS2.generate_msgdef(kind, ros_version=2)[0].encode()
     return kind.replace("/msg/", "/"), "ros1msg", ROS1.generate_msgdef(kind, ros_version=1)[0].encode()
@@ -156,7 +157,7 @@ def write_bag(path: Path, messages: Iterable[Message], *, compression: str = "",
     return path
 
 
-def _record(store: Any, message: Message) -> Any:
+def _record(store: Typestore, message: Message) -> Any:  # noqa: ANN401 - made by rosbags at run time
     fields = dict(message.fields)
     if message.kind == "tf2_msgs/msg/TFMessage":
         return store.types[message.kind](transforms=[_edge(store, *edge) for edge in fields["edges"]])
@@ -170,7 +171,7 @@ def _record(store: Any, message: Message) -> Any:
     return store.types[message.kind](**fields)
 
 
-def _edge(store: Any, parent: str, child: str, translation: Sequence[float], quaternion: Sequence[float]) -> Any:
+def _edge(store: Typestore, parent: str, child: str, translation: Sequence[float], quaternion: Sequence[float]) -> Any:  # noqa: ANN401 - made by rosbags at run time
     types = store.types
     transform = types["geometry_msgs/msg/Transform"](
         translation=types["geometry_msgs/msg/Vector3"](*map(float, translation)),

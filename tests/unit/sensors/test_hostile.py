@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import random
 import struct
 import subprocess
 import sys
 import zlib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -22,13 +20,15 @@ from fruitgui.sensors.recordings import Recording, open_recording
 from tests.unit.sensors import ros_files as ros
 
 MAGIC = b"\x89MCAP0\r\n"
+PNG = b"\x89PNG\r\n\x1a\n"
 TINY = (6, 8)
+TINY_K = np.array([8, 0, 4, 0, 8, 3, 0, 0, 1.0])
 
 
 def tiny(sensor: str, time_s: float) -> list[ros.Message]:
     """A frame of 8×6 pixels, so that files are small enough to be cut everywhere."""
     return [
-        ros.camera_info(f"/{sensor}/rgb/camera_info", time_s, width=8, height=6, k=np.array([8, 0, 4, 0, 8, 3, 0, 0, 1.0])),
+        ros.camera_info(f"/{sensor}/rgb/camera_info", time_s, width=8, height=6, k=TINY_K),
         ros.image(f"/{sensor}/rgb/image_raw", time_s, "rgb8", ros.colored(time_s, TINY)),
         ros.image(f"/{sensor}/depth_registered/image_raw", time_s, "16UC1", ros.depth(time_s, TINY)),
     ]
@@ -44,10 +44,9 @@ def read(path: Path) -> tuple[list[Frame], Recording | None]:
         recording = open_recording(path)
         return [frame for _, frame in recording.frames()], recording
     except InputError as error:
-        assert error.what
-        assert error.remedy
-        assert error.file == str(path)
-        return [], None
+        told = (error.what, error.remedy, error.file == str(path))
+    assert all(told)
+    return [], None
 
 
 def same(a: Frame, b: Frame) -> bool:
@@ -71,9 +70,9 @@ def test_cut_anywhere_gives_the_beginning(tmp_path: Path, kind: str) -> None:
     whole, _ = read(whole_path)
     assert len(whole) == 8
     data = whole_path.read_bytes()
-    draw = random.Random(5)
+    draw = np.random.default_rng(5)
     counts = []
-    for length in sorted({0, 1, 7, 8, 9, len(data) - 1, *(draw.randrange(len(data)) for _ in range(60))}):
+    for length in sorted({0, 1, 7, 8, 9, len(data) - 1, *(int(length) for length in draw.integers(0, len(data), 60))}):
         path = tmp_path / "cut"
         path.write_bytes(data[:length])
         part, recording = read(path)
@@ -102,14 +101,39 @@ def test_the_warning_names_the_last_time_and_what_is_unread(tmp_path: Path) -> N
 @pytest.mark.parametrize("kind", CONTAINERS)
 def test_any_changed_byte_is_survived(tmp_path: Path, kind: str) -> None:
     whole = CONTAINERS[kind](tmp_path / "whole").read_bytes()
-    draw = random.Random(6)
+    draw = np.random.default_rng(6)
     for _ in range(60):
         data = bytearray(whole)
         for _ in range(draw.choice((1, 1, 4))):
-            data[draw.randrange(len(data))] = draw.choice((0, 1, 127, 128, 255))
+            data[draw.integers(len(data))] = draw.choice((0, 1, 127, 128, 255))
         path = tmp_path / "changed"
         path.write_bytes(data)
         read(path)
+
+
+@pytest.mark.parametrize("kind", [CompressionType.ZSTD, CompressionType.LZ4, CompressionType.NONE])
+def test_a_chunk_too_large_to_be_unpacked_whole(tmp_path: Path, kind: CompressionType) -> None:
+    """One chunk of 36 MB, mostly a topic that nobody wants."""
+    noise = np.random.default_rng(0).bytes(3_000_000)
+    path = tmp_path / "r.mcap"
+    with path.open("wb") as file:
+        writer = Writer(file, chunk_size=10**9, compression=kind)
+        writer.start(profile="ros2")
+        schema = writer.register_schema("std_msgs/msg/String", "ros2msg", b"string data")
+        other = writer.register_channel("/other", "cdr", schema)
+        for message in story(4):
+            kind_, encoding, text = ros.schema(message.kind, "cdr")
+            channel = writer.register_channel(message.topic, "cdr", writer.register_schema(kind_, encoding, text))
+            writer.add_message(channel, round(message.log_s * 1e9), ros.serialised(message), 1)
+            writer.add_message(other, round(message.log_s * 1e9), noise, 1)
+        writer.finish()
+    frames, _ = read(path)
+    assert len(frames) == 4
+    data = path.read_bytes()
+    path.write_bytes(data[: len(data) // 2])
+    frames, recording = read(path)
+    assert len(frames) <= 2
+    assert recording is None or "cut off" in recording.warnings[0]
 
 
 def test_a_damaged_chunk_is_left_out_and_the_rest_used(tmp_path: Path) -> None:
@@ -200,7 +224,7 @@ def test_a_part_that_lies_does_not_keep_the_rest_from_being_read(tmp_path: Path,
     assert len(frames) == 3
 
 
-def bad(**fields: Any) -> Callable[[ros.Message], ros.Message]:
+def bad(**fields: object) -> Callable[[ros.Message], ros.Message]:
     return lambda message: ros.Message(message.topic, message.kind, message.log_s, {**message.fields, **fields})
 
 
@@ -293,10 +317,17 @@ def test_a_first_picture_that_lies_about_its_size_does_not_spoil_the_rest(tmp_pa
 
 @pytest.mark.parametrize(
     "data",
-    [b"", b"\xff\xd8\xff", b"\x89PNG\r\n\x1a\n", ros.jpeg(ros.colored(1.0, TINY))[:-40], ros.png(ros.colored(1.0, TINY))[:-30],
-     b"\xff\xd8\xff\xc0\x00\x11\x08\xff\xff\xff\xff" + bytes(40), b"\x89PNG\r\n\x1a\n" + struct.pack(">I4sII", 13, b"IHDR", 2**31, 2**31),
-     b"RIFF....WEBP" + bytes(100)],
-)  # fmt: skip
+    [
+        b"",
+        b"\xff\xd8\xff",
+        PNG,
+        ros.jpeg(ros.colored(1.0, TINY))[:-40],
+        ros.png(ros.colored(1.0, TINY))[:-30],
+        b"\xff\xd8\xff\xc0\x00\x11\x08\xff\xff\xff\xff" + bytes(40),
+        PNG + struct.pack(">I4sII", 13, b"IHDR", 2**31, 2**31),
+        b"RIFF....WEBP" + bytes(100),
+    ],
+)
 def test_packed_pictures_that_are_damaged_are_dropped(tmp_path: Path, data: bytes) -> None:
     good = ros.jpeg(ros.colored(1.0, TINY))
     messages = []
@@ -320,7 +351,8 @@ def test_ten_thousand_topics_do_not_hide_the_one_sensor(tmp_path: Path, topic: s
             writer.add_message(writer.register_channel(topic.format(n), "cdr", schema), 1, b"", 1)
         writer.finish()
     many = path.read_bytes()
-    path.write_bytes(many[: many.rindex(record(15, bytes(4)))] + ros.write_mcap(path, story(3)).read_bytes()[len(MAGIC) :])
+    many = many[: many.rindex(record(15, bytes(4)))]
+    path.write_bytes(many + ros.write_mcap(path, story(3)).read_bytes()[len(MAGIC) :])
     recording = open_recording(path)
     assert list(recording.sensors) == ["k1"]
     assert len(list(recording.frames())) == 3
@@ -356,6 +388,9 @@ def test_files_made_to_hurt_take_no_more_memory_than_a_good_one(tmp_path: Path) 
     bombs = tmp_path / "bombs.mcap"
     bombs.write_bytes(MAGIC + (chunk("zstd", 1000, BOMB) + chunk("zstd", 2**40, BOMB)) * 20 + whole)
     assert peak_mb(bombs) < good + 24
+    honest = tmp_path / "honest.mcap"
+    honest.write_bytes(MAGIC + chunk("zstd", 64 * 1024 * 1024, BOMB) * 4 + whole)
+    assert peak_mb(honest) < good + 24
     lies = tmp_path / "lies.mcap"
     lies.write_bytes(MAGIC + struct.pack("<BQ", 6, 2**35) + whole)
     assert peak_mb(lies) < good + 24

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import random
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -23,7 +23,9 @@ def message(stamp_ns: int) -> RawMessage:
     return RawMessage("/t", "t", "cdr", stamp_ns, b"x" * 100)
 
 
-def merged(arrivals: list[tuple[str, int]], offsets_s: dict[str, float] | None = None) -> tuple[list[tuple[str, int]], Merge]:
+def merged(
+    arrivals: list[tuple[str, int]], offsets_s: dict[str, float] | None = None
+) -> tuple[list[tuple[str, int]], Merge]:
     """Return (sensor, stamp) as they leave, colour and depth arriving together, and the merge."""
     offsets = {sensor: round(seconds * SECOND) for sensor, seconds in (offsets_s or {}).items()}
     merge = Merge(offsets)
@@ -37,7 +39,7 @@ def merged(arrivals: list[tuple[str, int]], offsets_s: dict[str, float] | None =
 
 def shuffled_within(stamps: list[int], reach_ns: int, seed: int) -> list[int]:
     """Delay each stamp by up to `reach_ns`: it then arrives after at most that much newer ones."""
-    draw = random.Random(seed)
+    draw = np.random.default_rng(seed)
     return [stamp for _, stamp in sorted((stamp + draw.uniform(0, reach_ns), stamp) for stamp in stamps)]
 
 
@@ -77,7 +79,7 @@ def test_a_silent_sensor_keeps_nobody_waiting() -> None:
 
 
 def test_a_sensor_that_comes_back_is_in_order_again() -> None:
-    arrivals = [(sensor, n * PERIOD) for n in range(1, 120) for sensor in ("a", "b") if sensor == "a" or not 30 < n < 80]
+    arrivals = [(sensor, n * PERIOD) for n in range(1, 120) for sensor in "ab" if sensor == "a" or not 30 < n < 80]
     left, merge = merged(arrivals)
     assert sorted(left, key=lambda one: one[1]) == left
     assert len(left) == len(arrivals)
@@ -162,9 +164,9 @@ def test_a_colour_camera_that_runs_on_between_turns_loses_no_frame() -> None:
 
 
 def test_stamps_of_a_real_device_jitter() -> None:
-    draw = random.Random(3)
-    color = [n + draw.gauss(0.25, 0.05) for n in range(1, 101)]
-    depth = [n + draw.gauss(0.0, 0.05) for n in range(1, 101)]
+    draw = np.random.default_rng(3)
+    color = [n + draw.normal(0.25, 0.05) for n in range(1, 101)]
+    depth = [n + draw.normal(0.0, 0.05) for n in range(1, 101)]
     got, unmatched = paired(color, depth)
     assert len(got) == 100
     assert unmatched == 0

@@ -112,7 +112,8 @@ def test_raw_colour(
 def test_bayer_and_yuv_give_the_right_colours(tmp_path: Path) -> None:
     flat = np.empty((48, 64, 3), np.uint8)
     flat[:] = (200, 100, 50)
-    bayer = np.where(np.arange(48)[:, None] % 2, np.where(np.arange(64) % 2, 50, 100), np.where(np.arange(64) % 2, 100, 200))
+    odd_row, odd_column = np.arange(48)[:, None] % 2, np.arange(64) % 2
+    bayer = np.where(odd_row, np.where(odd_column, 50, 100), np.where(odd_column, 100, 200))
     read = frames(ros.write_mcap(tmp_path / "b.mcap", color_message("bayer_rggb8", bayer.astype(np.uint8))))
     np.testing.assert_allclose(read[0][1].color[4:-4, 4:-4], flat[4:-4, 4:-4], atol=2)
     y, u, v = 123, 91, 175  # BT.601, studio range, of (200, 100, 50)
@@ -121,7 +122,9 @@ def test_bayer_and_yuv_give_the_right_colours(tmp_path: Path) -> None:
     np.testing.assert_allclose(read[0][1].color, flat, atol=6)
 
 
-@pytest.mark.parametrize(("form", "pack", "tolerance"), [("jpeg", ros.jpeg, 8), ("rgb8; png compressed bgr8", ros.png, 0)])
+@pytest.mark.parametrize(
+    ("form", "pack", "tolerance"), [("jpeg", ros.jpeg, 8), ("rgb8; png compressed bgr8", ros.png, 0)]
+)
 def test_packed_colour(tmp_path: Path, form: str, pack: object, tolerance: int) -> None:
     messages = [
         ros.camera_info("/k1/rgb/camera_info", 1.0),
@@ -241,7 +244,7 @@ def test_other_topic_names(tmp_path: Path) -> None:
         ros.image("/cam/aligned/image", 1.0, "16UC1", DEPTH),
     ]
     path = ros.write_mcap(tmp_path / "r.mcap", messages)
-    with pytest.raises(InputError, match="--topics|no sensor"):
+    with pytest.raises(InputError, match="no sensor"):
         open_recording(path)
     topics = parse_topics(["left:rgb=/cam/color/image,info=/cam/color/info,depth=/cam/aligned/image"])
     read = frames(path, topics=topics)
@@ -253,15 +256,29 @@ def test_a_named_topic_may_be_the_base_of_a_packed_one(tmp_path: Path) -> None:
     messages = [
         ros.camera_info("/cam/color/camera_info", 1.0),
         ros.packed("/cam/color/image/compressed", 1.0, "jpeg", ros.jpeg(RGB)),
-        ros.packed("/cam/depth_registered/image/compressedDepth", 1.0, "16UC1; compressedDepth", bytes(12) + ros.png(DEPTH)),
+        ros.packed(
+            "/cam/depth_registered/i/compressedDepth", 1.0, "16UC1; compressedDepth", bytes(12) + ros.png(DEPTH)
+        ),
     ]
-    topics = parse_topics(["k:rgb=/cam/color/image,depth=/cam/depth_registered/image"])
+    topics = parse_topics(["k:rgb=/cam/color/image,depth=/cam/depth_registered/i"])
     assert len(frames(ros.write_mcap(tmp_path / "r.mcap", messages), topics=topics)) == 1
 
 
 @pytest.mark.parametrize(
     "option",
-    ["", "k1", "k1:", "k1:rgb", "k1:rgb=", "k1:rgb=x", "k1:red=/x", ":rgb=/x", "k 1:rgb=/x", "k1:rgb=/x,rgb=/y", "1k:rgb=/x"],
+    [
+        "",
+        "k1",
+        "k1:",
+        "k1:rgb",
+        "k1:rgb=",
+        "k1:rgb=x",
+        "k1:red=/x",
+        ":rgb=/x",
+        "k 1:rgb=/x",
+        "k1:rgb=/x,rgb=/y",
+        "1:rgb=/x",
+    ],
 )
 def test_topics_that_cannot_be_understood(option: str) -> None:
     with pytest.raises(InputError, match="--topics") as caught:
@@ -288,7 +305,7 @@ def test_metadata_names_the_device(tmp_path: Path) -> None:
         writer.start(profile="ros2")
         writer.add_metadata("sensor/k1", {"make": "Microsoft", "model": "Kinect", "serial": "A007"})
         for message in plain("k1"):
-            kind, encoding, text = ros._schema(message.kind, "cdr")
+            kind, encoding, text = ros.schema(message.kind, "cdr")
             channel = writer.register_channel(message.topic, "cdr", writer.register_schema(kind, encoding, text))
             writer.add_message(channel, round(message.log_s * 1e9), ros.serialised(message), 0)
         writer.finish()

@@ -121,8 +121,9 @@ def test_nothing_is_made_up_between_card_and_wall() -> None:
 def test_holes_stay_holes() -> None:
     mm = np.full((240, 320), 1000, np.uint16)
     mm[100:120, 150:170] = 0
-    filled = Registration(KINECT_DEPTH, scaled(KINECT_COLOR, 2), BESIDE).apply(mm)
-    inner = Registration(KINECT_DEPTH, scaled(KINECT_COLOR, 2), BESIDE).apply(np.where(mm == 0, 1000, 0).astype(np.uint16))
+    registration = Registration(KINECT_DEPTH, scaled(KINECT_COLOR, 2), BESIDE)
+    filled = registration.apply(mm)
+    inner = registration.apply(np.where(mm == 0, 1000, 0).astype(np.uint16))
     rows, columns = np.nonzero(inner)
     core = filled[rows.min() + 6 : rows.max() - 6, columns.min() + 6 : columns.max() - 6]
     assert not core.any()
