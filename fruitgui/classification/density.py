@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from fruitgui.classification.evidence import Evidence, FeatureNames
-from fruitgui.classification.nature import by_ratio, sizes, steadied
+from fruitgui.classification.nature import by_ratio, shape_axes, sizes, steadied
 from fruitgui.frame import F64, Ints
 
 _PRIOR_FRUIT = 3.0
@@ -57,13 +57,15 @@ def fruit_vectors(evidence: list[Evidence], names: FeatureNames) -> FruitVectors
     A view or two that a neighbour or the picture's edge spoiled are left out; the median would jump between the two
     faces of a fruit that opposed sensors see.
     """
-    fruit_sizes = sizes(names.fruit)
+    fruit_sizes, shapes = sizes(names.fruit), shape_axes(names)
     width, depth = len(names.view), len(names.view) + len(names.fruit)
     points, spreads = np.empty((len(evidence), depth)), np.zeros((len(evidence), depth, depth))
     for row, one in enumerate(evidence):
         views = steadied(one.view_features, names)
         points[row, :width] = _trimmed_mean(views)
         points[row, width:] = by_ratio(one.fruit_features, fruit_sizes)
+        if not one.alone:
+            points[row, shapes] = np.nan
         if len(views) > 1:
             spreads[row, :width, :width] = np.cov(views, rowvar=False).reshape(width, width)
     return FruitVectors(points, spreads, np.array([one.views for one in evidence], dtype=float))

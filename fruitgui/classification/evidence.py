@@ -37,6 +37,8 @@ class Evidence:
     Attributes:
         view_features: (n, F), one row per view, n ≥ 1, finite.
         fruit_features: (G,), of all views together (volume, length, …); NaN where it could not be measured.
+        alone: the views show it whole and apart from others. Outlines that were cut out of a group, or by the
+            picture's edge, tell nothing of the fruit's shape, and are not listened to.
 
     Raises:
         InputError: a wrong shape, no view, or a view feature that is not finite.
@@ -44,6 +46,7 @@ class Evidence:
 
     view_features: F32
     fruit_features: F64
+    alone: bool = True
 
     def __post_init__(self) -> None:
         views, fruit = self.view_features, self.fruit_features

@@ -9,7 +9,7 @@ import numpy as np
 from fruitgui.classification.density import Density, FruitVectors, fit_density, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames
 from fruitgui.classification.model import Core
-from fruitgui.classification.nature import borne_changes, steadied
+from fruitgui.classification.nature import borne_changes, shape_axes, steadied
 from fruitgui.classification.network import fit_network
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled, never_cancelled
@@ -17,6 +17,7 @@ from fruitgui.progress import Cancelled, never_cancelled
 _EPOCHS = 9
 _ROWS = 4096
 _JITTER = 0.5
+_CUT_SHARE = 0.2
 _LEAST_UNIT = 1e-3
 _VIEWS = 40
 """Views per fruit that the perceptron is shown; more of one fruit teach nothing new."""
@@ -55,8 +56,16 @@ class FruitSet:
 
 def fruit_set(evidence: list[Evidence], kinds: Ints, count: int, names: FeatureNames) -> FruitSet:
     """Return the fruit of `count` kinds, ready for fitting."""
-    views = tuple(_thinned(steadied(one.view_features, names)) for one in evidence)
+    views = tuple(_views(one, names) for one in evidence)
     return FruitSet(names, views, fruit_vectors(evidence, names), kinds, count)
+
+
+def _views(one: Evidence, names: FeatureNames) -> F64:
+    """Return the views of a fruit, thinned; shapes that were cut are NaN."""
+    views = _thinned(steadied(one.view_features, names))
+    if not one.alone:
+        views[:, shape_axes(names)] = np.nan
+    return views
 
 
 def _thinned(views: F64) -> F64:
@@ -85,8 +94,9 @@ def fit_core(
     """
     density = fit_densities(fruit, strength)
     rows = np.concatenate(fruit.views)
-    centre = rows.mean(axis=0)
-    unit = np.maximum(rows.std(axis=0), _least_units(fruit.names))
+    count = np.maximum(np.isfinite(rows).sum(axis=0), 1)
+    centre = np.nansum(rows, axis=0) / count
+    unit = np.maximum(np.sqrt(np.nansum((rows - centre) ** 2, axis=0) / count), _least_units(fruit.names))
     drawer = _Drawer(fruit, centre, unit, density)
     network = fit_network(drawer.draw, fruit.count, _EPOCHS, random, cancelled=cancelled)
     return Core(fruit.names, centre, unit, network, density, around(density, strangers))
@@ -113,14 +123,16 @@ class _Drawer:
     """Draws rows for one epoch: kinds alike, fruit of a kind alike, views of a fruit alike.
 
     A row is a view moved as other fruit of its kind differ from this one (half as far, in both directions), and as
-    another light or neighbour would move it: a few fruit stand for the many that are to come.
+    another light or neighbour would move it: a few fruit stand for the many that are to come. A fifth
+    of the rows say nothing of shape, so that the perceptron can do without.
     """
 
     def __init__(self, fruit: FruitSet, centre: F64, unit: F64, density: Density) -> None:
-        self._rows = (np.concatenate(fruit.views) - centre) / unit
+        self._rows = np.nan_to_num((np.concatenate(fruit.views) - centre) / unit, nan=0.0)
         self._lengths = np.array([len(views) for views in fruit.views])
         self._starts = np.concatenate([[0], np.cumsum(self._lengths)[:-1]])
         self._members = [np.flatnonzero(fruit.kinds == kind) for kind in range(fruit.count)]
+        self._shapes = shape_axes(fruit.names)
         width = len(centre)
         scale = density.unit[:width] / unit
         changes = borne_changes(fruit.names)[:, :width] / unit
@@ -137,6 +149,8 @@ class _Drawer:
             chosen = random.choice(members, len(at))
             views = self._starts[chosen] + (random.random(len(at)) * self._lengths[chosen]).astype(np.intp)
             rows[at] = self._rows[views] + random.standard_normal((len(at), rows.shape[1])) @ self._moves[kind].T
+        cut = np.flatnonzero(random.random(_ROWS) < _CUT_SHARE)
+        rows[np.ix_(cut, self._shapes)] = 0.0
         order = random.permutation(_ROWS)
         return np.clip(rows[order], -10.0, 10.0), kinds[order]
 

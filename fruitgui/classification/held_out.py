@@ -8,16 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from fruitgui.classification.decision import Novelty, Scores, Weighing, fit_novelty, fit_weighing
-from fruitgui.classification.density import Density, FruitVectors
-from fruitgui.classification.evidence import Evidence
+from fruitgui.classification.density import FruitVectors
 from fruitgui.classification.fitting import FruitSet, fit_core, fit_densities
+from fruitgui.classification.model import Core
 from fruitgui.classification.nature import axis_sets, borne_changes
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled
 
 FOLDS = 5
 LIGHTS = 3
-"""In how many lights a held-out fruit is put to find how far trained fruit may lie."""
+"""In how many other lights, or beside how many neighbours, each held-out fruit is judged."""
 
 STRENGTHS = (3.0, 8.0, 24.0, 100.0)
 """Candidates for the strength of the pooled spread: from each kind its own to all alike."""
@@ -57,14 +57,14 @@ def _held_out_density(fruit: FruitSet, fold: Ints, strength: float) -> float:
     return total
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class HeldOut:
     """Scores of fruit by parts that never saw them.
 
     Attributes:
         rows: (M,) which fruit.
         scores: of each.
-        own: (M, L, A) distances to its own kind, as other light may move them.
+        moved: of each, as another light, belt or neighbour than training's may have moved it; as often as `LIGHTS`.
         kinds: (M,) what each is.
         fold: (M,) in which fold each was.
         foreign: (S, A) distances of strangers to the nearest kind.
@@ -72,23 +72,25 @@ class HeldOut:
 
     rows: Ints
     scores: tuple[Scores, ...]
-    own: F64
+    moved: tuple[tuple[Scores, ...], ...]
     kinds: Ints
     fold: Ints
     foreign: F64
 
     def fit(self, rows: Ints) -> tuple[Weighing, Novelty]:
-        """Return what weighs the parts, fitted to the chosen fruit."""
-        scores = [self.scores[row] for row in rows]
-        weighing = fit_weighing(scores, self.kinds[rows])
-        logs = [weighing.log_probabilities(one) for one in scores]
-        doubts = [-log.max() for log, kind in zip(logs, self.kinds[rows], strict=True) if log.argmax() == kind]
-        return weighing, fit_novelty(self.own[rows], self.foreign, np.array(doubts))
+        """Return what weighs the parts, fitted to the chosen fruit as they may be met, not only as they were."""
+        met = [one for row in rows for one in (self.scores[row], *self.moved[row])]
+        kinds = np.repeat(self.kinds[rows], 1 + LIGHTS)
+        weighing = fit_weighing(met, kinds)
+        logs = [weighing.log_probabilities(one) for one in met]
+        doubts = [-log.max() for log, kind in zip(logs, kinds, strict=True) if log.argmax() == kind]
+        own = [one.distances[:, self.kinds[row]] for row in rows for one in self.moved[row]]
+        distances = np.array(own).reshape(len(rows), LIGHTS, self.foreign.shape[1])
+        return weighing, fit_novelty(distances, self.foreign, np.array(doubts))
 
 
 def hold_out(
     fruit: FruitSet,
-    evidence: list[Evidence],
     fold: Ints,
     strength: float,
     strangers: FruitVectors | None,
@@ -103,27 +105,31 @@ def hold_out(
     """
     rows: list[int] = []
     scores: list[Scores] = []
-    own: list[F64] = []
+    moved: list[tuple[Scores, ...]] = []
+    still = np.zeros((1, fruit.vectors.points.shape[1]))
     for one in range(FOLDS):
-        out = np.flatnonzero(fold == one)
-        if len(out):
+        out = np.flatnonzero(fold == one).tolist()
+        if out:
             core = fit_core(fruit.take(np.flatnonzero(fold != one)), strength, strangers, random, cancelled)
-            rows += out.tolist()
-            scores += [core.scores(evidence[row]) for row in out]
-            own += [_own(fruit, core.density, int(row), random) for row in out]
+            rows += out
+            scores += [_judged(core, fruit, row, still)[0] for row in out]
+            moved += [_judged(core, fruit, row, _moves(fruit, random)) for row in out]
         done((one + 1) / FOLDS)
     at = np.array(rows, dtype=np.intp)
-    moved = np.array(own).reshape(len(rows), LIGHTS, len(axis_sets(fruit.names)))
     foreign = foreign_distances(fruit, strength, strangers)
-    return HeldOut(at, tuple(scores), moved, fruit.kinds[at], fold[at], foreign)
+    return HeldOut(at, tuple(scores), tuple(moved), fruit.kinds[at], fold[at], foreign)
 
 
-def _own(fruit: FruitSet, density: Density, row: int, random: np.random.Generator) -> F64:
-    """Return the distances (L, A) of a fruit to its own kind in L lights other than training's."""
-    changes, sets = borne_changes(fruit.names), axis_sets(fruit.names)
-    points = fruit.vectors.points[row] + random.standard_normal((LIGHTS, len(changes))) @ changes
-    views, kind = float(fruit.vectors.views[row]), fruit.kinds[row]
-    return np.array([[density.judge(point, views, axes)[0][kind] for axes in sets] for point in points])
+def _moves(fruit: FruitSet, random: np.random.Generator) -> F64:
+    changes = borne_changes(fruit.names)
+    return np.asarray(random.standard_normal((LIGHTS, len(changes))) @ changes)
+
+
+def _judged(core: Core, fruit: FruitSet, row: int, moves: F64) -> tuple[Scores, ...]:
+    """Return the scores of one fruit, moved by each row of `moves` (L, D)."""
+    views, point, count = fruit.views[row], fruit.vectors.points[row], float(fruit.vectors.views[row])
+    width = views.shape[1]
+    return tuple(core.judge(views + move[:width], point + move, count) for move in moves)
 
 
 def foreign_distances(fruit: FruitSet, strength: float, strangers: FruitVectors | None) -> F64:

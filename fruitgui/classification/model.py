@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from fruitgui.classification.decision import Novelty, Scores, Weighing, decide
-from fruitgui.classification.density import Density, FruitVectors, fruit_vectors
+from fruitgui.classification.density import Density, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames, KindVote
-from fruitgui.classification.nature import axis_sets, steadied
+from fruitgui.classification.nature import axis_sets, shape_axes, steadied
 from fruitgui.classification.network import Network
 from fruitgui.errors import InputError
 from fruitgui.frame import F64
@@ -42,18 +42,23 @@ class Core:
             InputError: the evidence has other features than the model.
         """
         check_width(evidence, self.names)
-        views = self.network.log_probabilities(standardised(evidence, self.names, self.centre, self.unit))
         vectors = fruit_vectors([evidence], self.names)
-        return self._whole(vectors, views.mean(axis=0))
+        steady = steadied(evidence.view_features, self.names)
+        if not evidence.alone:
+            steady[:, shape_axes(self.names)] = np.nan
+        return self.judge(steady, vectors.points[0], float(vectors.views[0]))
 
-    def _whole(self, vectors: FruitVectors, views: F64) -> Scores:
-        point, count = vectors.points[0], float(vectors.views[0])
+    def judge(self, steady: F64, point: F64, views: float) -> Scores:
+        """Return what the parts say of steadied views (n, F) and of the fruit as a point (D,); NaN is not known."""
+        # A value beyond ten times the spread says no more than that it is wild; the mean says nothing.
+        rows = np.nan_to_num(np.clip((steady - self.centre) / self.unit, -10.0, 10.0), nan=0.0)
         sets = axis_sets(self.names)
-        judged = [self.density.judge(point, count, axes) for axes in sets]
+        judged = [self.density.judge(point, views, axes) for axes in sets]
         stranger = -np.inf
         if self.strangers is not None:
-            stranger = float(self.strangers.judge(point, count, sets[0])[1].max())
-        return Scores(views, judged[0][1], np.array([distances for distances, _ in judged]), stranger)
+            stranger = float(self.strangers.judge(point, views, sets[0])[1].max())
+        mean = self.network.log_probabilities(rows).mean(axis=0)
+        return Scores(mean, judged[0][1], np.array([distances for distances, _ in judged]), stranger)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,11 +77,6 @@ class KindModel:
             InputError: the evidence has other features than the model.
         """
         return decide(self.kinds, self.core.scores(evidence), self.weighing, self.novelty)
-
-
-def standardised(evidence: Evidence, names: FeatureNames, centre: F64, unit: F64) -> F64:
-    """Return the view features (n, F) in units of their spread, within ±10: a wild value says no more than that."""
-    return np.clip((steadied(evidence.view_features, names) - centre) / unit, -10.0, 10.0)
 
 
 def check_width(evidence: Evidence, names: FeatureNames) -> None:

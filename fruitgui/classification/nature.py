@@ -26,8 +26,8 @@ CHANGES: tuple[dict[str, float], ...] = (
     {  # noise of the picture in dim light: it widens all spreads together, and gives grey skins a hue
         "chroma_red_green_p10": -0.15, "chroma_red_green_p90": 0.15,
         "chroma_blue_green_p10": -0.2, "chroma_blue_green_p90": 0.2,
-        "chroma_red_std": 0.015, "chroma_green_std": 0.012, "chroma_saturation_std": 0.03,
-        "chroma_saturation_mean": 0.02, "chroma_hue_strength": 0.015, "chroma_reddish_share": 0.02,
+        "chroma_red_std": 0.03, "chroma_green_std": 0.025, "chroma_saturation_std": 0.045,
+        "chroma_saturation_mean": 0.02, "chroma_hue_strength": 0.027, "chroma_reddish_share": 0.03,
         "chroma_greenish_share": 0.02,
         "texture_step": 0.06, "texture_spread": 0.06, "texture_dark": -0.2, "texture_bright": 0.12,
     },
@@ -120,6 +120,11 @@ def borne_changes(names: FeatureNames) -> F64:
             if name in place:
                 changes[row, place[name]] = size
     return changes
+
+
+def shape_axes(names: FeatureNames) -> Ints:
+    """Return which view features tell of shape or size."""
+    return np.array([i for i, name in enumerate(names.view) if _nature(name) is Nature.SHAPE], dtype=np.intp)
 
 
 def axis_sets(names: FeatureNames) -> tuple[Ints, ...]:

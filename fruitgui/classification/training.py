@@ -51,7 +51,7 @@ def train(
     def told(share: float) -> None:
         progress(0.1 + 0.5 * share, "Judging fruit that training did not see")
 
-    held = hold_out(fruit, evidence, fold, strength, strangers, random, cancelled, told)
+    held = hold_out(fruit, fold, strength, strangers, random, cancelled, told)
     progress(0.6, "Training on all fruit")
     core = fit_core(fruit, strength, strangers, random, cancelled)
     model = KindModel(taught.kinds, core, *held.fit(np.arange(len(held.rows))))
