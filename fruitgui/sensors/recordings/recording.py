@@ -43,6 +43,7 @@ class Recording:
         sensors: Mapping[str, SensorInfo],
         clock_offsets_s: Mapping[str, float],
         warnings: Collection[str],
+        unstamped: Collection[str],
     ) -> None:
         self.path = path
         self.sensors = dict(sensors)
@@ -51,6 +52,7 @@ class Recording:
         self._decoders = decoders
         self._clock_offsets_s = dict(clock_offsets_s)
         self._opening_warnings = tuple(warnings)
+        self._unstamped = frozenset(unstamped)
         self._roles = {topics[sensor].color: (sensor, False) for sensor in decoders}
         self._roles |= {topics[sensor].depth: (sensor, True) for sensor in decoders}
 
@@ -113,7 +115,7 @@ class Recording:
             sensor, depth = self._roles[message.topic]
             try:
                 self._decoders[sensor].check_bytes(len(message.data), depth=depth)
-                stamp = stamp_ns(message)
+                stamp = message.log_time_ns if sensor in self._unstamped else stamp_ns(message)
             except MalformedError as error:
                 if depth:
                     tally.undecodable(sensor, str(error))
@@ -165,13 +167,16 @@ def open_recording(
             file=path,
         )
     infos = {sensor: _info(decoder, found[sensor], container, seen) for sensor, decoder in decoders.items()}
-    return Recording(path, container, decoders, found, infos, clock_offsets or {}, _warnings(path, faults))
+    unstamped = [sensor for sensor in decoders if seen.unstamped(found[sensor].depth)]
+    warnings = _warnings(path, faults, unstamped)
+    return Recording(path, container, decoders, found, infos, clock_offsets or {}, warnings, unstamped)
 
 
-def _warnings(path: Path, faults: Sequence[UnusableSensorError]) -> list[str]:
+def _warnings(path: Path, faults: Sequence[UnusableSensorError], unstamped: Sequence[str]) -> list[str]:
     told = [f"{path.name}: {fault.what} It is left out. {fault.remedy}" for fault in faults[:MAX_FAULTS_TOLD]]
     if len(faults) > len(told):
         told.append(f"{path.name}: {len(faults) - len(told)} more sensors are left out for reasons like these.")
+    told += [f"{path.name}: {sensor} stamps every frame 0; the times of recording stand in." for sensor in unstamped]
     return told
 
 

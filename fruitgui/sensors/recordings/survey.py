@@ -68,6 +68,11 @@ class Survey:
         gaps = [after - before for before, after in itertools.pairwise(stamps)]
         return 1e9 / statistics.median(gaps) if gaps else 0.0
 
+    def unstamped(self, topic: str) -> bool:
+        """Tell whether the headers of a topic hold no time: several pictures, all stamped zero."""
+        stamps = self.stamps_ns.get(topic, ())
+        return len(stamps) > 1 and not any(stamps)
+
     def pose_of_depth(self, topics: SensorTopics) -> Pose | None:
         """Return the pose from the depth camera into the colour camera, None where the recording does not say it."""
         depth, color = self.frames_of(topics)

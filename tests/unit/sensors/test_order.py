@@ -181,6 +181,17 @@ def test_dropped_frames_are_told_with_their_cause(tmp_path: Path) -> None:
     assert recording.warnings == ["r.mcap: 1 frame of k1 left out: colour without depth or depth without colour."]
 
 
+def test_frames_that_are_all_stamped_zero_take_the_time_of_recording(tmp_path: Path) -> None:
+    messages = [
+        ros.Message(m.topic, m.kind, m.log_s, {**m.fields, "stamp_ns": 0})
+        for n in range(5)
+        for m in ros.frameset("k1", 3.0 + n / 10)
+    ]
+    recording = open_recording(ros.write_mcap(tmp_path / "r.mcap", messages))
+    assert [time_s for time_s, _ in recording.frames()] == pytest.approx([3.0, 3.1, 3.2, 3.3, 3.4])
+    assert "stamps every frame 0" in recording.warnings[0]
+
+
 def test_negative_and_zero_stamps(tmp_path: Path) -> None:
     messages = [m for n in range(-3, 4) for m in ros.frameset("k1", n / 10)]
     read = list(open_recording(ros.write_mcap(tmp_path / "r.mcap", messages)).frames())
