@@ -113,9 +113,7 @@ class Perceiver:
 def edge_distance(parts: Parts) -> F32:
     """Return the distance of every pixel from the edge of its fruit; where two fruit touch is an edge too."""
     inside = cv2.compare(parts.labels, 0, cv2.CMP_GT)
-    if parts.shared.any():
-        labels = parts.labels
-        across, down = labels[:, 1:] != labels[:, :-1], labels[1:] != labels[:-1]
-        inside[:, 1:][across & (labels[:, :-1] > 0)] = 0
-        inside[1:][down & (labels[:-1] > 0)] = 0
+    touching = [contour for contour, shared in zip(parts.contours, parts.shared.tolist(), strict=True) if shared]
+    if touching:
+        cv2.drawContours(inside, touching, -1, 0, 1)
     return np.asarray(cv2.distanceTransform(inside, cv2.DIST_L2, 3))
