@@ -17,10 +17,17 @@ ACROSS = 60
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Extent:
-    """A size and its gradient (6 + K,) by the stretch and the harmonics' weights of the surface."""
+    """A size and how it changes.
+
+    Attributes:
+        value: metres, or m³.
+        gradient: (6 + K,) by the stretch and the harmonics' weights of the surface.
+        direction: (3,) of a calliper.
+    """
 
     value: float
     gradient: F64
+    direction: F64 | None = None
 
 
 def volume(surface: Surface) -> Extent:
@@ -40,7 +47,7 @@ def length_and_diameter(surface: Surface) -> tuple[Extent, Extent]:
     along = surface.points_m @ across.T
     widest = across[int(np.argmax(along.max(axis=0) - along.min(axis=0)))]
     value, gradient = _widths(surface, np.stack([longest, widest]))
-    return Extent(float(value[0]), gradient[0]), Extent(float(value[1]), gradient[1])
+    return Extent(float(value[0]), gradient[0], longest), Extent(float(value[1]), gradient[1], widest)
 
 
 def perimeter(surface: Surface, count: int = 24) -> Extent:

@@ -62,6 +62,8 @@ class Evidence:
         sensor: (V,) index into `sensors`.
         sensors: ids.
         axes: (S, 3, 3) rows are the picture's x, y and depth directions.
+        sensor_place_m: (S, 3) where the sensors are.
+        sightings: (V,) index of each view in the track.
         offset_sigma_m: (S,) standard deviation of a sensor's common shift against the others, along the belt.
         centre_m: (V, 3) first guess of the fruit's centre in each view.
         height_m: first guess of the fruit's height.
@@ -78,9 +80,15 @@ class Evidence:
     sensor: Ints
     sensors: tuple[str, ...]
     axes: F64
+    sensor_place_m: F64
+    sightings: Ints
     offset_sigma_m: F64
     centre_m: F64
     height_m: float
+
+    def views_of(self, track: Track) -> list[FruitView]:
+        """Return the views (V,) of the track from which this was gathered."""
+        return [track.sightings[number].view for number in self.sightings]
 
     def thinned(self, every: int) -> Evidence:
         """Return every so many samples of each kind: enough for the first steps of a fit."""
@@ -97,10 +105,17 @@ class Evidence:
             self.sensor,
             self.sensors,
             self.axes,
+            self.sensor_place_m,
+            self.sightings,
             self.offset_sigma_m,
             self.centre_m,
             self.height_m,
         )
+
+
+def _indices(track: Track, chosen: list[Sighting]) -> Ints:
+    index = {id(sighting): number for number, sighting in enumerate(track.sightings)}
+    return np.array([index[id(sighting)] for sighting in chosen])
 
 
 class _Place(NamedTuple):
@@ -143,6 +158,8 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
         sensor=sensor,
         sensors=sensors,
         axes=rotation.transpose(0, 2, 1),
+        sensor_place_m=np.stack([p.pose.translation_m for p in places]),
+        sightings=_indices(track, chosen),
         offset_sigma_m=np.array([p.offset_sigma_m for p in places]),
         centre_m=np.matmul(rotation[sensor], np.stack([s.view.centre_m for s in chosen])[..., None])[..., 0] + place,
         height_m=float(np.median([s.view.height_m for s in chosen])),

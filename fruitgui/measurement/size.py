@@ -19,6 +19,7 @@ from fruitgui.measurement.restless import TURN_SIGMA_RAD, is_restless
 from fruitgui.measurement.rough import rough_size
 from fruitgui.measurement.shape import Shape, Surface
 from fruitgui.measurement.state import State, first_state
+from fruitgui.measurement.tips import LONG, excess_m
 from fruitgui.tracking.track import Track
 
 DEGREE = 6
@@ -46,20 +47,35 @@ def measure(track: Track, rig: Rig) -> Size:
     There always is one: where the views hold too few points for a surface, it
     comes from outlines and heights alone, with a wide standard deviation.
     """
-    fit = fit_track(track, rig)
-    return rough_size(track, rig) if fit is None else size_of(fit)
+    evidence = gather(track, rig)
+    fit = None if evidence is None else _sound_fit(evidence, track, rig)
+    if evidence is None or fit is None:
+        return rough_size(track, rig)
+    size = size_of(fit)
+    return _with_ends(size, fit, evidence, track, rig)
 
 
 def fit_track(track: Track, rig: Rig) -> Fit | None:
     """Return the closed surface through all views of a fruit, belt frame; None where there is none."""
     evidence = gather(track, rig)
-    if evidence is None:
-        return None
+    return None if evidence is None else _sound_fit(evidence, track, rig)
+
+
+def _sound_fit(evidence: Evidence, track: Track, rig: Rig) -> Fit | None:
     try:
         fit = fit_surface(evidence, rig.belt_frame().turn(track.velocity_m_s))
     except np.linalg.LinAlgError:
         return None
     return fit if _is_sound(fit) else None
+
+
+def _with_ends(size: Size, fit: Fit, evidence: Evidence, track: Track, rig: Rig) -> Size:
+    """Return the size with the length to the tips of a long fruit, where its outlines show them."""
+    if size.length_m.value < LONG * size.diameter_m.value:
+        return size
+    longer = excess_m(fit, evidence, track, rig)
+    length = Quantity(size.length_m.value + longer, float(np.hypot(size.length_m.std, 0.3 * longer)))
+    return replace(size, length_m=length)
 
 
 def _is_sound(fit: Fit) -> bool:
