@@ -34,7 +34,7 @@ def recover(cut: Path | str, out: Path | str) -> Recovered:
     """Write everything sound of a cut MCAP file, message by message as it stands, into a whole one.
 
     Raises:
-        InputError: not an MCAP file, or nothing in it is sound.
+        InputError: not an MCAP file, nothing in it is sound, or `out` is `cut`.
         WorldError: `out` cannot be written.
     """
     cut, out = Path(cut), Path(out)
@@ -44,6 +44,10 @@ def recover(cut: Path | str, out: Path | str) -> Recovered:
             "not_mcap", f"{cut} is a ROS 1 bag; only MCAP files are recovered.", "Use the bag as it is: a cut one is "
             "read as far as it is sound.", file=cut,
         )  # fmt: skip
+    if out.exists() and out.samefile(cut):
+        raise InputError(
+            "same_file", f"{out} is the file that is to be recovered.", "Name another file to write to.", file=out
+        )
     with written_whole(out) as beside, beside.open("wb") as file:
         messages = _copy(source, file)
         if not messages:

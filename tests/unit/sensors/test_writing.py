@@ -146,6 +146,14 @@ def test_recovering_keeps_who_the_sensors_are(tmp_path: Path) -> None:
     assert open_recording(tmp_path / "out.mcap").sensors["k2"].serial == "A00700002"
 
 
+def test_a_file_is_not_recovered_into_itself(tmp_path: Path) -> None:
+    path = write(tmp_path / "whole.mcap")
+    before = path.read_bytes()
+    with pytest.raises(InputError, match="is the file"):
+        recover(path, tmp_path / "." / "whole.mcap")
+    assert path.read_bytes() == before
+
+
 def test_nothing_sound_is_not_recovered(tmp_path: Path) -> None:
     short = cut(write(tmp_path / "whole.mcap"), 0.01)
     with pytest.raises(InputError, match="not one whole message"):
