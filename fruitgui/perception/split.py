@@ -25,6 +25,9 @@ from fruitgui.perception.settings import PerceptionSettings
 CONVEX = 0.945
 """An outline that fills this part of its convex hull has no notch where two fruit could meet …"""
 
+INDEX_SPAN = 2.0**20
+"""More than the pixels of any group on the coarse grid."""
+
 CRESCENT = 0.83
 """A part that fills less of its own hull is a crescent: what shows of a fruit behind another, or a piece of a bowl."""
 
@@ -183,23 +186,22 @@ class HeightSplitter:
 
         Only the farther side of an edge is dug: the rim of a bowl stays a ridge.
         """
-        moat = np.zeros_like(depth)
+        # Where nothing stands, nothing is in front: the largest number makes every difference 0.
+        in_front = cv2.bitwise_or(depth, cv2.compare(solid, 0, cv2.CMP_EQ).astype(np.uint16) * np.uint16(257))
+        behind = np.zeros_like(depth)
         across = (slice(None), slice(1, None)), (slice(None), slice(-1))
         down = (slice(1, None),), (slice(-1),)
         for here, there in (across, across[::-1], down, down[::-1]):
-            jump = cv2.subtract(cv2.subtract(depth[here], depth[there]), self._allowed_mm)
-            jump = cv2.copyTo(jump, solid[there])
-            np.maximum(moat[here], jump, out=moat[here])
-        return moat
+            cv2.max(behind[here], cv2.subtract(depth[here], in_front[there]), dst=behind[here])
+        return np.asarray(cv2.subtract(behind, self._allowed_mm))
 
     def _doubtful(self, relief: F32, wide_px: F32, tops: Tops) -> list[int]:
         """Return the groups that have a top from which no straight way leads to the group's highest without a dip."""
         highest = tops.highest()
         ends = tops.place[highest]
-        dip_m = tops.height_m - lowest_between(relief, tops.place, ends)
+        saddle, neck = lowest_between((relief, wide_px), tops.place, ends)
         narrower_px = np.minimum(tops.wide_px, tops.wide_px[highest])
-        waist_px = narrower_px - lowest_between(wide_px, tops.place, ends)
-        apart = self._score(tops.height_m, narrower_px, dip_m, waist_px) >= 1.0
+        apart = self._score(tops.height_m, narrower_px, tops.height_m - saddle, narrower_px - neck) >= 1.0
         return [int(group) for group in np.unique(tops.group[apart])]
 
     def _clusters(self, relief: F32, wide_px: F32, tops: Tops) -> Ints:
@@ -211,17 +213,18 @@ class HeightSplitter:
         """
         first, second = _pairs(tops)
         start, end = tops.place[first], tops.place[second]
-        saddle, neck = lowest_between(relief, start, end), lowest_between(wide_px, start, end)
+        saddle, neck = lowest_between((relief, wide_px), start, end)
         order = np.argsort(-saddle, kind="stable")
         forest = _Forest(tops.height_m, tops.wide_px)
         edges = np.column_stack([first, second])[order].tolist()
         for (a, b), low, narrow in zip(edges, saddle[order].tolist(), neck[order].tolist(), strict=True):
             if not self._apart(*forest.lower_and_narrower(a, b), low, narrow):
                 forest.join(a, b)
-        for a, b in edges:
-            # What is thinner than any fruit is a finger or a leaf's tip: part of what it hangs on.
-            if forest.lower_and_narrower(a, b)[1] < self._thin_px:
-                forest.join(a, b)
+        if forest.narrowest() < self._thin_px:
+            for a, b in edges:
+                # What is thinner than any fruit is a finger or a leaf's tip: part of what it hangs on.
+                if forest.lower_and_narrower(a, b)[1] < self._thin_px:
+                    forest.join(a, b)
         return forest.roots()
 
     def _apart(self, top_m: float, wide_px: float, low_m: float, narrow_px: float) -> bool:
@@ -282,10 +285,12 @@ class Tops:
 
 def find_tops(relief: F32, wide_px: F32, labels: U8, window: U8, most: int = 400) -> Tops:
     """Return pixels that nothing within the window overtops, and the widest places within twice the window."""
-    summit = (relief >= cv2.dilate(relief, window)) & (relief > 0)
     wide = np.ones((2 * window.shape[0] + 1, 2 * window.shape[1] + 1), np.uint8)
-    summit |= (wide_px >= cv2.dilate(wide_px, wide)) & (wide_px > 2.0) & (relief > 0)
-    place = np.argwhere(summit & (labels > 0))
+    summit = cv2.compare(relief, cv2.dilate(relief, window), cv2.CMP_GE)
+    widest = cv2.compare(wide_px, cv2.dilate(cv2.max(wide_px, 2.0), wide), cv2.CMP_GE)
+    inside = cv2.bitwise_and(cv2.compare(relief, 0.0, cv2.CMP_GT), cv2.compare(labels, 0, cv2.CMP_GT))
+    found = cv2.findNonZero(cv2.bitwise_and(cv2.bitwise_or(summit, widest), inside))
+    place = np.zeros((0, 2), np.intp) if found is None else found.reshape(-1, 2)[:, ::-1].astype(np.intp)
     if len(place) > most:
         place = place[np.argsort(-relief[place[:, 0], place[:, 1]])[:most]]
     rows, columns = place[:, 0], place[:, 1]
@@ -302,12 +307,15 @@ def _pairs(tops: Tops) -> tuple[Ints, Ints]:
     return np.triu_indices(len(tops.group), k=1)
 
 
-def lowest_between(relief: F32, start: Ints, end: Ints, samples: int = 40) -> F64:
-    """Return the lowest height (M,) on the straight ways between places (M, 2) of a height map."""
-    way = np.linspace(0.0, 1.0, samples)
-    places = start[:, None, :] + way[None, :, None] * (end - start)[:, None, :]
-    rows, columns = np.moveaxis(np.rint(places).astype(np.intp), -1, 0)
-    return np.asarray(relief[rows, columns].min(axis=1, initial=np.inf), dtype=np.float64)
+def lowest_between(maps: tuple[F32, ...], start: Ints, end: Ints, samples: int = 32) -> tuple[F64, ...]:
+    """Return, for each map, the lowest value (M,) on the straight ways between places (M, 2: row, column)."""
+    step = np.linspace(0.0, 1.0, samples, dtype=np.float32)
+    first, last = start.astype(np.float32), end.astype(np.float32)
+    places = first[:, None, :] + step[:, None] * (last - first)[:, None, :] + np.float32(0.5)
+    rows, columns = places[..., 0].astype(np.intp), places[..., 1].astype(np.intp)
+    rows *= maps[0].shape[1]
+    rows += columns
+    return tuple(values.reshape(-1).take(rows).min(axis=1, initial=np.inf).astype(np.float64) for values in maps)
 
 
 class _Forest:
@@ -337,6 +345,10 @@ class _Forest:
         self._parent[lower] = upper
         self._wide[upper] = max(self._wide[upper], self._wide[lower])
 
+    def narrowest(self) -> float:
+        """Return the half width of the narrowest tree."""
+        return min(float(self._wide[top]) for top, parent in enumerate(self._parent) if top == parent)
+
     def roots(self) -> Ints:
         """Return the tree of every top."""
         return np.array([self.root(top) for top in range(len(self._parent))], dtype=np.intp)
@@ -345,17 +357,18 @@ class _Forest:
 def _basins(ground: F32, place: Ints, number: U8) -> U8:
     """Return for every pixel the number of the top that steepest ascent leads to (watershed by pointer jumping)."""
     rows, columns = ground.shape
-    padded = np.pad(ground, 1, constant_values=-2.0)
-    steps = [(i, j) for i in range(3) for j in range(3)]
-    around = np.stack([padded[i : i + rows, j : j + columns] for i, j in steps])
-    move = np.array([(i - 1) * columns + (j - 1) for i, j in steps])
-    parent = np.arange(rows * columns) + move[around.argmax(axis=0)].reshape(-1)
-    for _ in range(12):
+    pixel = np.arange(rows * columns, dtype=np.float64).reshape(rows, columns)
+    # Height in tenths of a millimetre and the pixel's own index in one exact number: the largest of the
+    # neighbourhood tells where it is.
+    key = np.rint(ground.astype(np.float64) * 1e4) * INDEX_SPAN + pixel
+    parent = np.mod(cv2.dilate(key, np.ones((3, 3), np.uint8)), INDEX_SPAN).astype(np.intp).reshape(-1)
+    for _ in range(8):
         parent = parent[parent]
-    roots, inverse = np.unique(parent, return_inverse=True)
+    roots = np.flatnonzero(parent == np.arange(rows * columns))
     at = np.stack([roots // columns, roots % columns], axis=1)
     many, tops = np.repeat(at, len(place), axis=0), np.tile(place, (len(at), 1))
-    saddle = lowest_between(ground, many, tops).reshape(len(at), len(place))
-    distance = np.linalg.norm((many - tops).astype(np.float64), axis=1).reshape(len(at), len(place))
-    best = np.argmax(saddle - 1e-5 * distance, axis=1)
-    return np.asarray(number[best][inverse].reshape(rows, columns), dtype=np.uint8)
+    saddle = lowest_between((ground,), many, tops, 12)[0].reshape(len(at), len(place))
+    distance = np.abs(many - tops).sum(axis=1).reshape(len(at), len(place))
+    part = np.zeros(rows * columns, np.uint8)
+    part[roots] = number[np.argmax(saddle - 1e-5 * distance, axis=1)]
+    return np.asarray(part[parent].reshape(rows, columns))
