@@ -21,6 +21,9 @@ PLACE_STD_M = 0.008
 CELL_M_S = 0.02
 THINNEST_S = 0.08
 MOST_VIEWS = 420
+STANDING_M_S = 0.01
+"""A window in which nothing moves faster is used only if no other one shows more: the belt will start."""
+
 CLEARLY = 1.25
 """How much more views the best velocity must explain than any other."""
 
@@ -59,14 +62,15 @@ def estimate_from(seen: Sequence[Measured], rig: Rig, clearly: float = CLEARLY) 
 
     `clearly` says how many times as many views it must explain as any other velocity.
     """
-    start = 0
+    start, standing = 0, None
     while start < len(seen):
         window = [one for one in seen[start:] if one.time_s <= seen[start].time_s + WINDOW_S]
         motion = _estimate_window(window, rig, clearly)
-        if motion is not None:
+        if motion is not None and motion.speed_m_s > STANDING_M_S:
             return motion
+        standing = standing or motion
         start += max(1, len(window) // 2)
-    return None
+    return standing
 
 
 def _thinned(seen: Sequence[Measured]) -> list[Measured]:

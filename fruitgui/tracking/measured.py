@@ -109,7 +109,7 @@ def _estimates(views: tuple[FruitView, ...], centre: Centre) -> tuple[tuple[Frui
     finite = np.isfinite(centres).all(axis=1) & np.isfinite(own).all(axis=(1, 2))
     if finite.all():
         return tuple(views), centres, own
-    kept = tuple(view for view, fine in zip(views, finite.tolist(), strict=True) if fine)
+    kept = tuple(view for view, fine in zip(views, np.atleast_1d(finite).tolist(), strict=True) if fine)
     return kept, centres[finite], own[finite]
 
 

@@ -7,6 +7,7 @@ did not separate. The majority of frames decides, over all sensors and time.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from typing import Protocol
 
@@ -25,6 +26,9 @@ SPLINTER = 0.42
 
 TOUCHING_M = 0.015
 
+TELLING_M = 0.06
+"""When the belt has gone so far under a track, what stands still is told from what rides on it."""
+
 OFTEN_ENOUGH = 0.35
 """Share of frames showing two fruit above which there are two: groups are missed more often than fruit are torn."""
 
@@ -34,6 +38,9 @@ class Resolver(Protocol):
 
     def twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
         """Return the trail that is the same fruit as this one and better supported, if there is one."""
+
+    def obvious_twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
+        """Return the better supported trail that is beyond doubt the same fruit, while both are followed."""
 
     def counts(self, trail: Trail, crossed: bool) -> bool:
         """Tell whether the trail is a fruit to be counted; `crossed`: it left the field whole, by itself."""
@@ -46,6 +53,10 @@ class EveryTrail:
         self._least = settings.least_views
 
     def twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:  # noqa: ARG002 - the protocol
+        """Return none: tracks are not compared."""
+        return None
+
+    def obvious_twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:  # noqa: ARG002 - the protocol
         """Return none: tracks are not compared."""
         return None
 
@@ -62,7 +73,7 @@ class Majority:
 
     def twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
         """Return the better supported trail that is the same fruit, if there is one."""
-        others = [other for other in others if other is not trail]
+        others = _near(trail, [other for other in others if other is not trail])
         whole = max((other for other in others if _is_piece_of(trail, other)), key=_rank, default=None)
         covered = _pair_under(trail, others)
         if whole is not None or covered is not None:
@@ -70,6 +81,12 @@ class Majority:
         same = [other for other in others if _is_same(trail, other) and _rank(other) > _rank(trail)]
         bodies = [other for other in same if _pair_under(other, [*others, trail]) is None]
         return max(bodies, key=_rank, default=None)
+
+    def obvious_twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
+        """Return the better supported trail at the same place with which this one takes turns."""
+        turns = {number for number, company in trail.company.items() if company.one >= 8 * max(company.both, 1)}
+        same = [o for o in others if o.number in turns and _rank(o) > _rank(trail) and _inside(trail, o)]
+        return max(same, key=_rank, default=None)
 
     def counts(self, trail: Trail, crossed: bool) -> bool:
         """Tell whether there is evidence enough for one fruit that rides on the belt."""
@@ -100,13 +117,23 @@ def _rank(trail: Trail) -> tuple[int, int, int]:
     return trail.clear, trail.views, -trail.number
 
 
+def _near(trail: Trail, others: list[Trail]) -> list[Trail]:
+    """Return those of the others that could have to do with a trail."""
+    if not others:
+        return []
+    apart = np.linalg.norm(np.array([other.place_m for other in others]) - trail.place_m, axis=1)
+    return [others[i] for i in np.flatnonzero(apart < 2.0 * NEIGHBOUR_M).tolist()]
+
+
 def distance_m(first: Trail, second: Trail) -> float:
     """Return how far apart two trails lie on the belt."""
-    return float(np.linalg.norm(first.place_m - second.place_m))
+    return math.dist(first.place_m, second.place_m)
 
 
 def _company(first: Trail, second: Trail) -> Company:
-    return first.company.get(second.number, Company())
+    """Return the fuller of the two records: one of them may have taken over another's."""
+    records = (first.company.get(second.number, Company()), second.company.get(first.number, Company()))
+    return max(records, key=lambda record: record.both + record.one)
 
 
 def _together(first: Trail, second: Trail) -> float:
@@ -118,6 +145,11 @@ def _together(first: Trail, second: Trail) -> float:
 
 def _sees_as_one(first: Trail, second: Trail) -> bool:
     return first is not second and distance_m(first, second) < 0.8 * max(first.size_m, second.size_m)
+
+
+def _inside(first: Trail, second: Trail) -> bool:
+    alike = 0.8 < first.size_m / max(second.size_m, 1e-3) < 1.25
+    return alike and distance_m(first, second) < 0.35 * min(first.size_m, second.size_m)
 
 
 def _is_same(first: Trail, second: Trail) -> bool:
@@ -142,6 +174,6 @@ def stands_beside_belt(trail: Trail) -> bool:
     first, last = trail.entries[0], trail.entries[-1]
     belt: F64 = last.travelled_m - first.travelled_m
     travelled = float(np.linalg.norm(belt))
-    if travelled < 0.15:
+    if travelled < TELLING_M:
         return False
     return float((last.position_m - first.position_m) @ belt) / travelled < 0.3 * travelled

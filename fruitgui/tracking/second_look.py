@@ -20,7 +20,7 @@ LOOSE_SHARE = 0.55
 bodies cannot come closer than about a whole size."""
 
 ROLLING_M_S = 0.7
-ROLLING_S = 1.5
+ROLLING_S = 0.6
 ENTRY_M = 0.15
 """Nearer to the field's edge than this, an unclaimed view is rather a fruit that has just come in."""
 
@@ -90,7 +90,8 @@ class WiderLook:
     def __call__(self, claims: Claims, position_m: F64, trails: Sequence[Trail]) -> Claims:
         """Return the claims with groups, loose matches and strays found."""
         claims = self._groups(claims, position_m, trails)
-        return self._badly_seen(claims, position_m, trails)
+        claims = self._badly_seen(claims, position_m, trails)
+        return self._strayed(claims, position_m, trails)
 
     def _groups(self, claims: Claims, position_m: F64, trails: Sequence[Trail]) -> Claims:
         """Find views that cover two or more tracks that are known apart."""
@@ -159,14 +160,16 @@ class WiderLook:
         since = np.array([seen.time_s - trails[i].last_s for i in tracks])
         apart = np.linalg.norm(seen.position_m[views][None] - position_m[tracks][:, None], axis=2)
         unlike = look_distance(np.array([trails[i].looks for i in tracks]), seen.looks[views])
-        pairs = _closest(apart, (apart < 0.02 + ROLLING_M_S * since[:, None]) & (unlike < 8.0))
+        allowed = (apart < 0.02 + ROLLING_M_S * since[:, None]) & (unlike < 8.0)
+        only = (allowed.sum(axis=0, keepdims=True) == 1) & (allowed.sum(axis=1, keepdims=True) == 1)
+        pairs = _closest(apart, allowed & only)
         strayed = tuple(int(tracks[i]) for i, _ in pairs)
         return replace(
             claims.with_pairs(strayed, [int(views[j]) for _, j in pairs]), strayed=claims.strayed + strayed
         )
 
     def _may_roll(self, trail: Trail, seen: Measured) -> bool:
-        return trail.clear >= 2 and seen.time_s - trail.last_s < ROLLING_S
+        return trail.clear >= 2 and trail.unseen > 0 and seen.time_s - trail.last_s < ROLLING_S
 
     def _alone(self, views: Ints, claims: Claims, position_m: F64) -> Bools:
         """Tell which views lie well inside the field and apart from every claimed track."""

@@ -64,7 +64,7 @@ def _noise(entries: Sequence[Entry], y: F64, rig: Rig, settings: TrackerSettings
     for sensor in dict.fromkeys(sensors.tolist()):
         own = np.flatnonzero(sensors == sensor)
         pose = np.einsum("iab,bc,jdc->iajd", G[own], pose_covariance(rig, sensor), G[own])
-        alike = _alike([entries[i] for i in own], settings)
+        alike = _alike([entries[i] for i in own.tolist()], settings)
         lasting = alike[:, None, :, None] * np.einsum("iab,jcb->iajc", L[own], L[own])
         N[own[:, None, None, None], np.arange(3)[None, :, None, None], own[None, None, :, None], np.arange(3)] = (
             pose + lasting

@@ -6,7 +6,7 @@ import numpy as np
 
 from fruitgui.geometry.rig import Rig
 from fruitgui.tracking.belt import BeltMotion
-from fruitgui.tracking.estimate import estimate_from
+from fruitgui.tracking.estimate import STANDING_M_S, estimate_from
 from fruitgui.tracking.measured import Measured
 
 TRY_EVERY_S = 0.25
@@ -43,7 +43,7 @@ class Start:
         if not self._held or self._held[-1].time_s - self._tried_s < TRY_EVERY_S:
             return None
         self._tried_s = self._held[-1].time_s
-        motion = estimate_from(self._shown(), self._rig)
+        motion = _running(estimate_from(self._shown(), self._rig))
         waited = self._held[-1].time_s - self._held[0].time_s > self._longest_s
         full = sum(len(seen) for seen in self._held) > MOST_HELD_VIEWS
         return self.last_motion() if motion is None and (waited or full) else motion
@@ -57,3 +57,7 @@ class Start:
 
     def _shown(self) -> list[Measured]:
         return [seen for seen in self._held if len(seen)]
+
+
+def _running(motion: BeltMotion | None) -> BeltMotion | None:
+    return motion if motion is not None and motion.speed_m_s > STANDING_M_S else None

@@ -258,9 +258,14 @@ class Tracker:
         stays = np.ones(len(self._trails), dtype=bool)
         for i, trail in enumerate(self._trails):
             left = bool(gone[i]) and trail.last_s < self._time_s
-            stays[i] = not (left or self._lost(trail) or _clutter(trail))
-            if not stays[i]:
+            twin = self._mode.resolver.obvious_twin(trail, self._trails)
+            if twin is not None:
+                twin.absorb(trail, self._settings.kept_views)
+            elif left or self._lost(trail) or _clutter(trail):
                 self._closing.close(trail, crossed=left)
+            else:
+                continue
+            stays[i] = False
         self._drop(stays)
         return self._closing.release(self._trails)
 

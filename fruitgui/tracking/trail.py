@@ -48,11 +48,12 @@ class Company:
     one: int = 0
     merged: int = 0
 
-    def add(self, other: Company) -> None:
-        """Add another record's counts."""
-        self.both += other.both
-        self.one += other.one
-        self.merged += other.merged
+    def join(self, other: Company) -> None:
+        """Add the record of a track that was the same fruit: a frame's `one` may have been the other's `both`."""
+        both = self.both + other.both
+        self.one = max(self.one + other.one - both, 0)
+        self.both = both
+        self.merged = max(self.merged, other.merged)
 
 
 @dataclass(slots=True, eq=False)
@@ -127,7 +128,7 @@ class Trail:
         self.unseen = min(self.unseen, other.unseen)
         for number, company in other.company.items():
             if number != self.number:
-                self.company_of(number).add(company)
+                self.company_of(number).join(company)
 
 
 def thinned(entries: Sequence[Entry], most: int) -> list[Entry]:

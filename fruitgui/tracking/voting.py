@@ -62,10 +62,11 @@ def _one_each(track: Ints, view: Ints, cost: F64, allowed: Bools) -> Ints:
     taken_tracks: set[int] = set()
     taken_views: set[int] = set()
     chosen: list[int] = []
-    for i in np.argsort(cost):
-        if not allowed[i] or int(track[i]) in taken_tracks or int(view[i]) in taken_views:
-            continue
-        taken_tracks.add(int(track[i]))
-        taken_views.add(int(view[i]))
-        chosen.append(int(i))
+    order = np.argsort(cost)
+    order = order[allowed[order]]
+    for i, one, other in zip(order.tolist(), track[order].tolist(), view[order].tolist(), strict=True):
+        if one not in taken_tracks and other not in taken_views:
+            taken_tracks.add(one)
+            taken_views.add(other)
+            chosen.append(i)
     return np.array(chosen, dtype=np.intp)
