@@ -23,14 +23,15 @@ CHANGES: tuple[dict[str, float], ...] = (
         "chroma_blue_green_p10": 0.05, "chroma_blue_green_p50": 0.05, "chroma_blue_green_p90": 0.05,
         "chroma_saturation_mean": -0.01,
     },
-    {  # noise of the picture in dim light: it widens all spreads together, and gives grey skins a hue
-        "chroma_red_green_p10": -0.15, "chroma_red_green_p90": 0.15,
-        "chroma_blue_green_p10": -0.2, "chroma_blue_green_p90": 0.2,
+    {  # noise of the picture in dim light widens what is measured against the sum, and gives grey skins a hue
         "chroma_red_std": 0.03, "chroma_green_std": 0.025, "chroma_saturation_std": 0.045,
-        "chroma_saturation_mean": 0.02, "chroma_hue_strength": 0.027, "chroma_reddish_share": 0.03,
-        "chroma_greenish_share": 0.02,
-        "texture_step": 0.06, "texture_spread": 0.06, "texture_dark": -0.2, "texture_bright": 0.12,
+        "chroma_saturation_mean": 0.02, "chroma_hue_strength": 0.027,
     },
+    {  # and, where a skin is dark in green, what is measured against green
+        "chroma_red_green_p90": 0.15, "chroma_blue_green_p90": 0.2, "texture_step": 0.06, "texture_spread": 0.07,
+        "texture_dark": -0.2, "texture_bright": 0.12, "texture_specular_share": 0.02, "chroma_reddish_share": 0.03,
+    },
+    {"chroma_red_green_p10": -0.15, "chroma_blue_green_p10": -0.2, "texture_step": 0.03, "chroma_greenish_share": 0.03},
     {  # warmer or colder light
         "chroma_red_green_p10": 0.05, "chroma_red_green_p50": 0.05, "chroma_red_green_p90": 0.05,
         "chroma_blue_green_p10": -0.05, "chroma_blue_green_p50": -0.05, "chroma_blue_green_p90": -0.05,
