@@ -25,8 +25,8 @@ from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 
 LEAST_MOVED_PX = 60
-WORST_POSITION_STD_M = 0.0012
-WORST_ANGLE_STD_RAD = float(np.radians(0.08))
+WORST_POSITION_STD_M = 0.002
+WORST_ANGLE_STD_RAD = float(np.radians(0.085))
 
 
 def calibrate(

@@ -18,6 +18,7 @@ from fruitgui.frame import F64
 QUICK_M = (0.03, 0.03, 0.03, 0.02, 0.015, 0.012)
 DIFFERENT_M, DIFFERENT_RAD = 0.008, float(np.radians(0.7))
 FEWEST_THINGS = 3
+ENOUGH_TO_TELL_MOVED = 5
 LEAST_EVIDENCE = 22.0
 LEAST_MARGIN = 12.0
 WORST_POSITION_STD_M = 0.0015
@@ -173,6 +174,8 @@ def _verdict(source: Ready, target: Ready, ranked: list[tuple[Hypothesis, Shift]
         return "too_little_overlap", f"Nothing that {names} see fits together."
     best = ranked[0][0]
     said = best.evidence
+    if said.agreeing >= ENOUGH_TO_TELL_MOVED and said.conflicting and _margin(ranked) >= LEAST_MARGIN:
+        return _conflict(names, said)
     if said.agreeing < FEWEST_THINGS or said.log_likelihood < LEAST_EVIDENCE:
         if few:
             return "too_little_structure", f"{names} see too few things on the belt to be matched."

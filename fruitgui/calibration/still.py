@@ -107,15 +107,15 @@ def _robust_mean(inverse: Sequence[F32]) -> F32:
     """Return the mean of readings near the pixel's median, 0 where fewer than half the captures have one."""
     few = inverse if len(inverse) <= 5 else [inverse[i] for i in np.linspace(0, len(inverse) - 1, 5).astype(int)]
     middle = _median_of_readings(np.stack(few))
-    total = np.zeros_like(middle)
-    count = np.zeros_like(middle)
+    total = np.zeros(middle.shape, dtype=np.float32)
+    count = np.zeros(middle.shape, dtype=np.float32)
     for one in inverse:
         near = (np.abs(one - middle) < SAME_READING) & (one > 0)
-        total += np.where(near, one, 0)
+        total += np.where(near, one, np.float32(0.0))
         count += near
-    enough = count * 2 >= len(inverse)
-    mean = np.divide(total, np.maximum(count, 1.0))
-    return np.asarray(np.where(enough, mean, 0.0), dtype=np.float32)
+    total /= np.maximum(count, np.float32(1.0))
+    total[count * 2 < len(inverse)] = 0.0
+    return total
 
 
 def _median_of_readings(stack: F32) -> F32:
