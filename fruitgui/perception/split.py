@@ -11,6 +11,7 @@ seen but a jump in depth; jumps are dug into the height map as moats.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Protocol
 
 import cv2
@@ -161,13 +162,18 @@ class HeightSplitter:
         """Return the parts over the group's bounding box in the crop's own pixels."""
         left, top, width, height = patch.box
         s = self._scale
-        parts = np.where(patch.mine, parts, 0).astype(np.uint8)
-        grown = np.where(parts == 0, cv2.dilate(parts, np.ones((5, 5), np.uint8)), parts)
-        fine = np.repeat(np.repeat(grown, s, axis=0), s, axis=1)
+        parts = cv2.copyTo(parts, patch.mine.astype(np.uint8))
+        grown = cv2.copyTo(parts, parts, cv2.dilate(parts, np.ones((5, 5), np.uint8)))
+        rows, columns = parts.shape
+        fine = cv2.resize(grown, (columns * s, rows * s), interpolation=cv2.INTER_NEAREST)
         row, column = top - int(patch.corner[0]) * s, left - int(patch.corner[1]) * s
-        fine = np.pad(fine, ((0, s), (0, s)), mode="edge")[row : row + height, column : column + width]
-        own = groups.labels[top : top + height, left : left + width] == group + 1
-        return np.ascontiguousarray(np.where(own, fine, 0), dtype=np.uint8)
+        own = cv2.compare(groups.labels[top : top + height, left : left + width], group + 1, cv2.CMP_EQ)
+        # The coarse grid may end a pixel before the crop does.
+        fine = fine[row : row + height, column : column + width]
+        fine = cv2.copyMakeBorder(
+            fine, 0, height - fine.shape[0], 0, width - fine.shape[1], cv2.BORDER_REPLICATE
+        )  # fmt: skip
+        return np.asarray(cv2.bitwise_and(fine, own))
 
     def _relief(self, groups: Groups, depth_mm: U16, labels: U8) -> F32:
         """Return heights above the belt on the coarse grid, gaps filled from around them, jumps dug as moats."""
@@ -302,20 +308,29 @@ def find_tops(relief: F32, wide_px: F32, labels: U8, window: U8, most: int = 400
     )
 
 
+@lru_cache(maxsize=64)
+def _every_two(count: int) -> tuple[Ints, Ints]:
+    first, second = np.triu_indices(count, k=1)
+    return first, second
+
+
 def _pairs(tops: Tops) -> tuple[Ints, Ints]:
     """Return the numbers of every two tops."""
-    return np.triu_indices(len(tops.group), k=1)
+    return _every_two(len(tops.group))
 
 
-def lowest_between(maps: tuple[F32, ...], start: Ints, end: Ints, samples: int = 32) -> tuple[F64, ...]:
+WAY: F32 = np.linspace(0.0, 1.0, 32, dtype=np.float32)[:, None]
+WAY.setflags(write=False)
+"""Where on the way between two tops heights are looked up."""
+
+
+def lowest_between(maps: tuple[F32, ...], start: Ints, end: Ints, way: F32 = WAY) -> tuple[F64, ...]:
     """Return, for each map, the lowest value (M,) on the straight ways between places (M, 2: row, column)."""
-    step = np.linspace(0.0, 1.0, samples, dtype=np.float32)
-    first, last = start.astype(np.float32), end.astype(np.float32)
-    places = first[:, None, :] + step[:, None] * (last - first)[:, None, :] + np.float32(0.5)
-    rows, columns = places[..., 0].astype(np.intp), places[..., 1].astype(np.intp)
+    first, last = (places.T.astype(np.float32) + np.float32(0.5) for places in (start, end))
+    rows, columns = ((a + way * (b - a)).astype(np.intp) for a, b in zip(first, last, strict=True))
     rows *= maps[0].shape[1]
     rows += columns
-    return tuple(values.reshape(-1).take(rows).min(axis=1, initial=np.inf).astype(np.float64) for values in maps)
+    return tuple(values.reshape(-1).take(rows).min(axis=0, initial=np.inf).astype(np.float64) for values in maps)
 
 
 class _Forest:
@@ -367,7 +382,7 @@ def _basins(ground: F32, place: Ints, number: U8) -> U8:
     roots = np.flatnonzero(parent == np.arange(rows * columns))
     at = np.stack([roots // columns, roots % columns], axis=1)
     many, tops = np.repeat(at, len(place), axis=0), np.tile(place, (len(at), 1))
-    saddle = lowest_between((ground,), many, tops, 12)[0].reshape(len(at), len(place))
+    saddle = lowest_between((ground,), many, tops, WAY[::3])[0].reshape(len(at), len(place))
     distance = np.abs(many - tops).sum(axis=1).reshape(len(at), len(place))
     part = np.zeros(rows * columns, np.uint8)
     part[roots] = number[np.argmax(saddle - 1e-5 * distance, axis=1)]
