@@ -33,6 +33,9 @@ PER_SENSOR = 5
 ANYWHERE_M = 0.3
 """How far the centre may be from where it was: nothing, but enough when all else fails."""
 
+LEAST_CHI2 = 0.6
+"""Covariances follow the residuals, but not below this: residuals lower than the physics say are partly luck."""
+
 LEAST_VIEW_WEIGHT = 0.2
 """A view that counts less than this tells of something else."""
 
@@ -78,7 +81,7 @@ def improve(state: State, evidence: Evidence, prior: Prior, steps: int) -> Fit:
         unknowns = -np.asarray(np.linalg.solve(system.H, system.b), dtype=np.float64)
         state = _moved(state, evidence, unknowns, seen, system)
     count = 6 + len(state.shape.weights)
-    usual = max(1.0, float(np.average(seen.chi2, weights=seen.view_weight + 1e-9)))
+    usual = max(LEAST_CHI2, float(np.average(seen.chi2, weights=seen.view_weight + 1e-9)))
     sight = np.matmul(state.turn, evidence.sight[:, : evidence.points].mean(axis=1)[..., None])[..., 0]
     counted = seen.view_weight > LEAST_VIEW_WEIGHT
     covariance = np.asarray(np.linalg.inv(system.H), dtype=np.float64)[:count, :count] * usual

@@ -34,6 +34,9 @@ SEEN_COSINE = 0.35
 SYSTEMATIC = 0.005
 """What no number of views averages out: the device's own scale, the plane of the belt."""
 
+END_SIGMA_M = 1.0e-3
+"""How well the two ends of a long fruit are known together: half a pixel at 1 m."""
+
 LARGEST_M = 0.6
 """No surface longer than this is a fruit's: the fit went wrong."""
 
@@ -74,7 +77,9 @@ def _with_ends(size: Size, fit: Fit, evidence: Evidence, track: Track, rig: Rig)
     if size.length_m.value < LONG * size.diameter_m.value:
         return size
     longer = excess_m(fit, evidence, track, rig)
-    length = Quantity(size.length_m.value + longer, float(np.hypot(size.length_m.std, 0.3 * longer)))
+    length = Quantity(
+        size.length_m.value + longer, float(np.linalg.norm([size.length_m.std, 0.3 * longer, END_SIGMA_M]))
+    )
     return replace(size, length_m=length)
 
 

@@ -22,7 +22,7 @@ from fruitgui.tracking.track import Track
 LONG = 1.12
 """Length over diameter from which a fruit has ends."""
 
-MOST_VIEWS = 24
+MOST_VIEWS = 14
 LEAST_VIEWS = 5
 """Outlines looked at, and how many must show an end."""
 
@@ -60,7 +60,11 @@ def _exceeding(fit: Fit, evidence: Evidence, track: Track, rig: Rig, directions:
     """Return how far each outline exceeds the surface along each direction, (V, 4); NaN where it does not show."""
     place = fit.state.place_m(evidence)
     views = evidence.views_of(track)
-    good = [k for k, view in enumerate(views) if view.whole and not view.shared and fit.view_weight[k] > 0.5]
+    good = [
+        k
+        for k, view in enumerate(views)
+        if view.whole and not view.shared and len(view.outline_px) >= 8 and fit.view_weight[k] > 0.5
+    ]
     chosen = good[:: max(1, len(good) // MOST_VIEWS)]
     found = np.full((len(chosen), len(directions)), np.nan)
     for row, k in enumerate(chosen):

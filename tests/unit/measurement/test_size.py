@@ -27,7 +27,7 @@ def test_sizes_without_noise_are_within_half_a_millimetre(solid: Solid) -> None:
     size = measure(track, rig)
     # an outline is known to a tenth of a pixel (0.17 mm at 1 m): 0.4 mm of 50 mm, 2.5 % of volume
     assert size.volume_m3.value == pytest.approx(solid.volume_m3, rel=0.03)
-    assert size.length_m.value == pytest.approx(solid.length_m, abs=1.2e-3)
+    assert size.length_m.value == pytest.approx(solid.length_m, abs=1.5e-3)
     assert size.diameter_m.value == pytest.approx(solid.diameter_m, abs=1.0e-3)
 
 
