@@ -36,6 +36,8 @@ class BagFile:
         self._connections: dict[int, tuple[str, str]] = {}
         self._wanted: Wanted = _none
         self._soundness = Soundness()
+        with path.open("rb") as file:
+            self._topics = self._indexed_topics(file)
 
     @property
     def metadata(self) -> dict[str, dict[str, str]]:
@@ -43,13 +45,32 @@ class BagFile:
         return {}
 
     @property
-    def topics(self) -> None:
-        """Not known before the bag is read."""
+    def topics(self) -> dict[str, str] | None:
+        """Type name by topic, where the bag was closed: its index names them."""
+        return self._topics
 
     @property
     def soundness(self) -> Soundness:
         """Of the latest reading."""
         return self._soundness
+
+    def _indexed_topics(self, file: BinaryIO) -> dict[str, str] | None:
+        """Return the topics that the index at the end of the bag names, None where there is no sound index."""
+        first = self._record_head(file, len(BAG_MAGIC))
+        if first is None:
+            return None
+        self._wanted = _every
+        position = int.from_bytes(first[0].get(b"index_pos", b""), "little")
+        while 0 < position < self._size and (head := self._record_head(file, position)) is not None:
+            fields, start, length = head
+            if fields[b"op"][0] != _CONNECTION or start + length > min(self._size, start + _MAX_HEADER_BYTES):
+                break
+            try:
+                self._connection(fields, file.read(length))
+            except MalformedError:
+                return None
+            position = start + length
+        return dict(self._connections.values()) or None
 
     def messages(self, wanted: Wanted) -> Iterator[RawMessage]:
         """Yield the messages of wanted topics in the order of the file."""
@@ -141,6 +162,10 @@ class BagFile:
 
 def _none(_topic: str) -> bool:
     return False
+
+
+def _every(_topic: str) -> bool:
+    return True
 
 
 def _ros2_name(kind: str) -> str:

@@ -16,7 +16,7 @@ from fruitgui.sensors.recordings.pairing import Pair
 from fruitgui.sensors.recordings.raw import Container, MalformedError
 from fruitgui.sensors.recordings.survey import Survey, survey
 from fruitgui.sensors.recordings.tally import Tally
-from fruitgui.sensors.recordings.topics import SensorTopics, find_sensors
+from fruitgui.sensors.recordings.topics import SensorTopics, find_sensors, sensor_of
 from fruitgui.sensors.recordings.wire import stamp_ns
 from fruitgui.sensors.sensor import SensorInfo
 
@@ -44,6 +44,7 @@ class Recording:
         clock_offsets_s: Mapping[str, float],
         warnings: Collection[str],
         unstamped: Collection[str],
+        known: Collection[str],
     ) -> None:
         self.path = path
         self.sensors = dict(sensors)
@@ -53,6 +54,7 @@ class Recording:
         self._clock_offsets_s = dict(clock_offsets_s)
         self._opening_warnings = tuple(warnings)
         self._unstamped = frozenset(unstamped)
+        self._known = frozenset(known)
         self._roles = {topics[sensor].color: (sensor, False) for sensor in decoders}
         self._roles |= {topics[sensor].depth: (sensor, True) for sensor in decoders}
 
@@ -111,7 +113,13 @@ class Recording:
             raise self._no_frame()
 
     def _pairs(self, merge: Merge, tally: Tally) -> Iterator[tuple[str, Pair]]:
-        for message in self._container.messages(self._roles.__contains__):
+        def wanted(topic: str) -> bool:
+            sensor = sensor_of(topic)
+            if sensor is not None and sensor not in self._known:
+                tally.too_late.add(sensor)
+            return topic in self._roles
+
+        for message in self._container.messages(wanted):
             sensor, depth = self._roles[message.topic]
             try:
                 self._decoders[sensor].check_bytes(len(message.data), depth=depth)
@@ -155,7 +163,8 @@ def open_recording(
     named = dict(topics or {})
     container = open_container(path)
     seen = survey(container, named, sensors)
-    found = _wanted_sensors(path, find_sensors(seen.types, named), sensors)
+    known = find_sensors(seen.types, named)
+    found = _wanted_sensors(path, known, sensors)
     decoders, faults = _decoders(found, seen)
     if not decoders:
         raise faults[0].as_input_error(str(path))
@@ -169,7 +178,7 @@ def open_recording(
     infos = {sensor: _info(decoder, found[sensor], container, seen) for sensor, decoder in decoders.items()}
     unstamped = [sensor for sensor in decoders if seen.unstamped(found[sensor].depth)]
     warnings = _warnings(path, faults, unstamped)
-    return Recording(path, container, decoders, found, infos, clock_offsets or {}, warnings, unstamped)
+    return Recording(path, container, decoders, found, infos, clock_offsets or {}, warnings, unstamped, known)
 
 
 def _warnings(path: Path, faults: Sequence[UnusableSensorError], unstamped: Sequence[str]) -> list[str]:

@@ -18,12 +18,14 @@ class Tally:
         left_out: frames left out, by sensor and cause.
         last_s: stamp of the last frame given, any sensor's own clock, seconds.
         soundness: how far the file was sound.
+        too_late: sensors that came only after the first look at a file without a table of contents.
     """
 
     frames: dict[str, int] = field(default_factory=dict)
     left_out: dict[str, dict[str, int]] = field(default_factory=dict)
     last_s: float = 0.0
     soundness: Soundness = field(default_factory=Soundness)
+    too_late: set[str] = field(default_factory=set)
 
     def read(self, sensor: str, time_ns: int) -> None:
         """Count one frame given."""
@@ -55,6 +57,11 @@ class Tally:
             )
         for cause, count in self.soundness.damaged.items():
             lines.append(f"{path.name}: {count} damaged part{'s' * (count > 1)} left out: {cause}.")
+        for sensor in sorted(self.too_late):
+            lines.append(
+                f"{path.name}: {sensor} comes only later in this recording, which has no table of contents, and is "
+                f"left out. Make the file whole with record --recover and read that."
+            )
         for sensor, causes in self.left_out.items():
             for cause, count in causes.items():
                 lines.append(f"{path.name}: {count} frame{'s' * (count > 1)} of {sensor} left out: {cause}.")

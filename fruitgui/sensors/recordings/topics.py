@@ -104,6 +104,12 @@ def find_sensors(types: Mapping[str, str], named: Mapping[str, SensorTopics]) ->
     return found
 
 
+def sensor_of(topic: str) -> str | None:
+    """Return the sensor whose pictures a topic of the product's own names holds, None for any other topic."""
+    match = _OWN_TOPIC.fullmatch(topic)
+    return match[1] if match and match[3] == "image_raw" else None
+
+
 def _own_names(sensor: str, types: Mapping[str, str]) -> SensorTopics:
     color = _recorded(f"/{sensor}/rgb/image_raw", types)
     color_info = f"/{sensor}/rgb/camera_info"

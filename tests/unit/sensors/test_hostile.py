@@ -16,7 +16,7 @@ from mcap.writer import CompressionType, Writer
 
 from fruitgui.errors import InputError
 from fruitgui.frame import Frame
-from fruitgui.sensors.recordings import Recording, open_recording
+from fruitgui.sensors.recordings import Recording, open_recording, recover
 from tests.unit.sensors import ros_files as ros
 
 MAGIC = b"\x89MCAP0\r\n"
@@ -82,6 +82,28 @@ def test_cut_anywhere_gives_the_beginning(tmp_path: Path, kind: str) -> None:
             assert any("cut off at byte" in warning for warning in recording.warnings)
     assert counts == sorted(counts), "a longer piece never holds less"
     assert counts[-1] >= 7
+
+
+def test_a_sensor_that_comes_late_in_a_cut_file_is_told(tmp_path: Path) -> None:
+    """Without a table of contents only the first seconds are looked through; made whole, nothing is hidden."""
+    camera = {"width": 160, "height": 120, "k": np.array([150, 0, 80, 0, 150, 60, 0, 0, 1.0])}
+    noise = np.random.default_rng(0).integers(0, 255, (120, 160, 3), np.uint8)
+    messages = []
+    for n in range(150):
+        for sensor in ("k1", "k2") if n > 120 else ("k1",):
+            messages += [
+                ros.camera_info(f"/{sensor}/rgb/camera_info", n / 10, **camera),
+                ros.image(f"/{sensor}/rgb/image_raw", n / 10, "rgb8", noise),
+                ros.image(f"/{sensor}/depth_registered/image_raw", n / 10, "16UC1", ros.depth(1.0, (120, 160))),
+            ]
+    path = tmp_path / "cut.mcap"
+    path.write_bytes(ros.write_mcap(tmp_path / "whole.mcap", messages).read_bytes()[:-3000])
+    _, recording = read(path)
+    assert recording is not None
+    assert list(recording.sensors) == ["k1"]
+    assert any("k2 comes only later" in warning for warning in recording.warnings)
+    recover(path, tmp_path / "again.mcap")
+    assert list(open_recording(tmp_path / "again.mcap").sensors) == ["k1", "k2"]
 
 
 def test_the_warning_names_the_last_time_and_what_is_unread(tmp_path: Path) -> None:

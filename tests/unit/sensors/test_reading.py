@@ -12,6 +12,7 @@ from mcap.writer import CompressionType
 from fruitgui.errors import InputError
 from fruitgui.frame import Frame
 from fruitgui.sensors.recordings import open_recording, parse_topics
+from fruitgui.sensors.recordings.container import open_container
 from tests.unit.sensors import ros_files as ros
 
 TIMES = (100.0, 100.1, 100.2)
@@ -63,6 +64,15 @@ def test_ros1_bag(tmp_path: Path, compression: str) -> None:
     recording = open_recording(ros.write_bag(tmp_path / "r.bag", plain("k1"), compression=compression))
     check_plain(list(recording.frames()))
     assert recording.warnings == []
+
+
+def test_a_sensor_that_comes_late_in_a_bag(tmp_path: Path) -> None:
+    messages = [m for n in range(80) for s in ("k1", "k2") if s == "k1" or n > 70 for m in ros.frameset(s, n / 5)]
+    path = ros.write_bag(tmp_path / "r.bag", messages)
+    assert "/k2/rgb/image_raw" in (open_container(path).topics or {}), "known before the bag is read"
+    recording = open_recording(path)
+    assert list(recording.sensors) == ["k1", "k2"]
+    assert sum(frame.sensor == "k2" for _, frame in recording.frames()) == 9
 
 
 def test_ros1_bag_that_was_never_closed(tmp_path: Path) -> None:
