@@ -152,7 +152,7 @@ class WiderLook:
         """Find the fruit that rolled: gone from its place, while one like it turned up where none could come in."""
         seen = claims.seen
         free = claims.free_tracks(len(trails))
-        tracks = free[[self._may_roll(trails[i], seen) for i in free]] if len(free) else free
+        tracks = free[[self._may_roll(i, position_m, trails, seen) for i in free.tolist()]] if len(free) else free
         views = claims.free_views()
         views = views[self._alone(views, claims, position_m)] if len(views) and len(tracks) else views[:0]
         if not len(views) or not len(tracks):
@@ -168,8 +168,12 @@ class WiderLook:
             claims.with_pairs(strayed, [int(views[j]) for _, j in pairs]), strayed=claims.strayed + strayed
         )
 
-    def _may_roll(self, trail: Trail, seen: Measured) -> bool:
-        return trail.clear >= 2 and trail.unseen > 0 and seen.time_s - trail.last_s < ROLLING_S
+    @staticmethod
+    def _may_roll(track: int, position_m: F64, trails: Sequence[Trail], seen: Measured) -> bool:
+        """Tell whether a missing fruit was seen well and lately, and no group is near that hides it."""
+        trail = trails[track]
+        neighbours = np.linalg.norm(position_m - position_m[track], axis=1) < NEIGHBOUR_M
+        return int(neighbours.sum()) == 1 and trail.clear >= 2 and seen.time_s - trail.last_s < ROLLING_S
 
     def _alone(self, views: Ints, claims: Claims, position_m: F64) -> Bools:
         """Tell which views lie well inside the field and apart from every claimed track."""

@@ -14,6 +14,8 @@ from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.geometry.rotation import rotation_from_vector
 from fruitgui.perception.view import FruitView, Observation
 
+GRAIN = np.random.default_rng(0).normal(scale=6.0, size=(40, 40, 3))
+
 Shown = tuple[F64, float, F64, bool, bool, int]
 """Centre, radius, colour, whole, shared, and the number of the piece (-1: none, or several)."""
 
@@ -165,10 +167,10 @@ class Line:
         plane = self.rig.mounts[sensor].surface.plane
         radius_px = 580.0 * radius_m / centre[2]
         u, v = KINECT.project(centre[None])[0]
-        normals = rng.normal(size=(150, 3))
+        normals = rng.normal(size=(60, 3))
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
         normals = normals[normals @ centre < 0.0]
-        patch = np.clip(rng.normal(color, 6.0, (40, 40, 3)), 0, 255).astype(np.uint8)
+        patch = np.clip(GRAIN + color + rng.normal(scale=2.0, size=3), 0, 255).astype(np.uint8)
         covariance = (self.noise_m**2 + self.lasting_m**2) * np.eye(3)
         mean = centre - 0.6 * radius_m * centre / np.linalg.norm(centre)
         return FruitView(
@@ -205,9 +207,7 @@ def _inside_m(point: F64) -> float:
     return float(min(u, v, KINECT.width - u, KINECT.height - v) * point[2] / 580.0)
 
 
-def _merged(
-    shown: list[Shown], share: float, rng: np.random.Generator
-) -> list[Shown]:
+def _merged(shown: list[Shown], share: float, rng: np.random.Generator) -> list[Shown]:
     left, result = list(shown), []
     while left:
         one = left.pop(0)
