@@ -37,6 +37,9 @@ SYSTEMATIC = 0.005
 END_SIGMA_M = 1.0e-3
 """How well the two ends of a long fruit are known together: half a pixel at 1 m."""
 
+LONG_FOR_FRUIT_M, OVERSHOOT = 0.14, 1.6
+"""A surface longer than fruit mostly are, and so much longer than its outlines, grew where nobody saw it."""
+
 LARGEST_M = 0.6
 """No surface longer than this is a fruit's: the fit went wrong."""
 
@@ -55,6 +58,10 @@ def measure(track: Track, rig: Rig) -> Size:
     if evidence is None or fit is None:
         return rough_size(track, rig)
     size = size_of(fit)
+    if size.length_m.value > LONG_FOR_FRUIT_M:
+        rough = rough_size(track, rig)
+        if size.length_m.value > OVERSHOOT * rough.length_m.value:
+            return rough
     return _with_ends(size, fit, evidence, track, rig)
 
 
