@@ -98,7 +98,7 @@ def _spread(frames: Sequence[Frame], most: int) -> list[Frame]:
 
 def _inverse_depth(frame: Frame) -> F32:
     z = frame.depth_mm.astype(np.float32)
-    inverse = np.zeros_like(z)
+    inverse: F32 = np.zeros_like(z)
     np.divide(np.float32(1000.0), z, out=inverse, where=(z > 0) & (z < 65535))
     return inverse
 
@@ -107,21 +107,20 @@ def _robust_mean(inverse: Sequence[F32]) -> F32:
     """Return the mean of readings near the pixel's median, 0 where fewer than half the captures have one."""
     few = inverse if len(inverse) <= 5 else [inverse[i] for i in np.linspace(0, len(inverse) - 1, 5).astype(int)]
     middle = _median_of_readings(np.stack(few))
-    total = np.zeros(middle.shape, dtype=np.float32)
-    count = np.zeros(middle.shape, dtype=np.float32)
+    total: F32 = np.zeros(middle.shape, dtype=np.float32)
+    count: F32 = np.zeros(middle.shape, dtype=np.float32)
     for one in inverse:
         near = (np.abs(one - middle) < SAME_READING) & (one > 0)
         total += np.where(near, one, np.float32(0.0))
         count += near
     total /= np.maximum(count, np.float32(1.0))
-    total[count * 2 < len(inverse)] = 0.0
-    return total
+    return np.where(count * 2 >= len(inverse), total, np.float32(0.0)).astype(np.float32)
 
 
 def _median_of_readings(stack: F32) -> F32:
     """Return the median over captures of the non-zero values, 0 where there is none: (K, H, W) → (H, W)."""
     if len(stack) == 1:
-        return stack[0]
+        return np.asarray(stack[0], dtype=np.float32)
     ordered = np.sort(stack, axis=0)  # zeros first
     missing = (stack == 0).sum(axis=0)
     rank = np.minimum(missing + (len(stack) - missing) // 2, len(stack) - 1)

@@ -19,6 +19,7 @@ from fruitgui.calibration.result import Calibration, Refusal
 from fruitgui.frame import F64, Frame
 from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rotation import vector_from_rotation
+from fruitgui.sensors.recordings import open_recording
 from fruitgui.simulation import scenes
 from fruitgui.simulation.simulation import Simulation
 from tests.real_data import real_data
@@ -117,12 +118,9 @@ def test_scene_that_moved_between_two_sensors_captures_is_refused() -> None:
 
 @pytest.mark.real
 def test_real_tabletop_of_planes_is_refused_or_right() -> None:
-    from fruitgui.sensors import open_recording
-
-    with open_recording(real_data("two_xtions_chocapics.mcap")) as recording:
-        stills: dict[str, list[Frame]] = {}
-        for frame in recording.frames():
-            stills.setdefault(frame.sensor, []).append(frame)
+    stills: dict[str, list[Frame]] = {}
+    for _, frame in open_recording(real_data("two_xtions_chocapics.mcap")).frames():
+        stills.setdefault(frame.sensor, []).append(frame)
     for capture in (0, 8, 10):
         result = calibrate({sensor: frames[capture : capture + 1] for sensor, frames in stills.items()}, "xtion_1")
         if isinstance(result, Calibration):
