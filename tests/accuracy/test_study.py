@@ -1,4 +1,4 @@
-"""The error study on a real Kinect v1 whose poses are known (from KinectFusion, themselves good to some 20 mm)."""
+"""The error study on a real Kinect v1 whose poses are known (from KinectFusion)."""
 
 from __future__ import annotations
 
@@ -38,6 +38,7 @@ def test_kitchen_views_register_without_a_guess_and_none_is_far_off() -> None:
     assert result.registered + len(result.left_out) == 6
     assert result.registered >= 2
     assert result.product is not None
-    # A wrong hypothesis is off by tens of degrees; uncalibrated depth of this device bends a room by some degrees.
+    # Only a guard against wrong hypotheses, which are off by tens of degrees. Errors of 1.3° and 34 mm (median of 16
+    # pairs) are more than registration noise; whether they are the device's, the poses' or ours is not settled.
     assert np.degrees(result.product.rotation_rad).max() < 5.0
     assert result.product.translation_m.max() < 0.15
