@@ -45,9 +45,9 @@ CHANGES: tuple[dict[str, float], ...] = (
         "chroma_red_mean": -0.004, "chroma_green_mean": 0.008, "chroma_hue_sine": 0.008,
         "chroma_reddish_share": -0.02, "chroma_greenish_share": 0.02,
     },
-    {"chroma_red_green_to_belt": 0.05},  # a belt that got dirty
-    {"chroma_blue_green_to_belt": 0.06},
-    {"chroma_value_to_belt": 0.12},
+    {"chroma_red_green_to_belt": 0.35},  # another belt, or one that got dirty
+    {"chroma_blue_green_to_belt": 0.35},
+    {"chroma_value_to_belt": 0.4},
     {"texture_spread": 0.03, "texture_dark": -0.05, "texture_bright": 0.05},  # a lamp from the side
     {"texture_dark": 0.05},
     {"texture_specular_share": 0.01, "texture_bright": 0.03},

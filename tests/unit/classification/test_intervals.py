@@ -1,3 +1,5 @@
+from __future__ import annotations
+
 import math
 
 import numpy as np
@@ -8,20 +10,20 @@ from hypothesis import strategies as st
 from fruitgui.classification.intervals import rate
 
 
-def test_the_papers_38_of_40_hold_its_own_interval():
+def test_the_papers_38_of_40_hold_its_own_interval() -> None:
     found = rate(38, 40)
     assert found.value == pytest.approx(0.95)
     assert (round(found.low, 2), round(found.high, 2)) == (0.83, 0.99)
 
 
-def test_no_trials_say_nothing():
+def test_no_trials_say_nothing() -> None:
     found = rate(0, 0)
     assert math.isnan(found.value)
     assert (found.low, found.high) == (0.0, 1.0)
 
 
 @given(st.integers(1, 500).flatmap(lambda n: st.tuples(st.integers(0, n), st.just(n))))
-def test_the_interval_holds_the_share_and_mirrors(counted):
+def test_the_interval_holds_the_share_and_mirrors(counted: tuple[int, int]) -> None:
     successes, trials = counted
     found, mirrored = rate(successes, trials), rate(trials - successes, trials)
     assert 0.0 <= found.low <= found.value <= found.high <= 1.0
@@ -29,7 +31,7 @@ def test_the_interval_holds_the_share_and_mirrors(counted):
 
 
 @pytest.mark.parametrize("share", [0.02, 0.5, 0.99])
-def test_the_interval_covers_at_least_as_often_as_it_says(share):
+def test_the_interval_covers_at_least_as_often_as_it_says(share: float) -> None:
     random = np.random.default_rng(1)
     drawn = random.binomial(60, share, 2000)
     found = {int(n): rate(int(n), 60) for n in np.unique(drawn)}
@@ -38,6 +40,6 @@ def test_the_interval_covers_at_least_as_often_as_it_says(share):
 
 
 @pytest.mark.parametrize(("successes", "trials", "confidence"), [(-1, 3, 0.95), (4, 3, 0.95), (1, 3, 1.0)])
-def test_nonsense_is_refused(successes, trials, confidence):
+def test_nonsense_is_refused(successes: int, trials: int, confidence: float) -> None:
     with pytest.raises(ValueError, match="no rate"):
         rate(successes, trials, confidence)

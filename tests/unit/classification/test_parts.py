@@ -1,23 +1,27 @@
+from __future__ import annotations
+
 import json
 
 import numpy as np
 import pytest
 
+from fruitgui.classification.account import Training
 from fruitgui.classification.evidence import UNKNOWN, FeatureNames, LabelledFruit
+from fruitgui.classification.model import KindModel
 from fruitgui.classification.parts import from_parts, to_parts
 from fruitgui.classification.training import train
 from fruitgui.errors import InputError
-from tests.unit.classification.orchard import NAMES
+from tests.unit.classification.orchard import NAMES, Orchard
 
 
-def test_a_model_survives_its_parts(trained, orchard):
+def test_a_model_survives_its_parts(trained: Training[KindModel], orchard: Orchard) -> None:
     settings, arrays = to_parts(trained.model)
     again = from_parts(json.loads(json.dumps(settings, allow_nan=False)), arrays, NAMES)
     for one in orchard.harvest(each=3, views=4, seed=21):
         assert again.vote(one.evidence) == trained.model.vote(one.evidence)
 
 
-def test_strangers_survive_too(orchard):
+def test_strangers_survive_too(orchard: Orchard) -> None:
     fruit = orchard.harvest(each=3, views=3, seed=2)
     strange = LabelledFruit("hand", UNKNOWN, orchard.fruit(0, 3, np.random.default_rng(1)))
     model = train([*fruit, strange], NAMES).model
@@ -26,7 +30,7 @@ def test_strangers_survive_too(orchard):
     assert again.vote(strange.evidence).kind == UNKNOWN
 
 
-def test_other_features_mean_training_again(trained):
+def test_other_features_mean_training_again(trained: Training[KindModel]) -> None:
     other = FeatureNames((*NAMES.view[1:], "chroma_new"), NAMES.fruit)
     with pytest.raises(InputError, match="other features") as caught:
         from_parts(*to_parts(trained.model), other)
@@ -58,7 +62,7 @@ def test_other_features_mean_training_again(trained):
         ("density/counts", np.zeros(4)),
     ],
 )
-def test_spoiled_parts_are_refused(trained, name, value):
+def test_spoiled_parts_are_refused(trained: Training[KindModel], name: str, value: object) -> None:
     settings, arrays = to_parts(trained.model)
     (arrays if name in arrays else settings)[name] = value
     with pytest.raises(InputError) as caught:
@@ -66,7 +70,7 @@ def test_spoiled_parts_are_refused(trained, name, value):
     assert caught.value.code in ("bad_model", "bad_kinds")
 
 
-def test_every_part_is_needed(trained):
+def test_every_part_is_needed(trained: Training[KindModel]) -> None:
     settings, arrays = to_parts(trained.model)
     for name in (*settings, *arrays):
         left = {key: value for key, value in settings.items() if key != name}

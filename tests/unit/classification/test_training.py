@@ -1,31 +1,37 @@
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 import pytest
 
-from fruitgui.classification.confusion import Judged, confusion
+from fruitgui.classification.account import Training
+from fruitgui.classification.confusion import Confusion, Judged, confusion
 from fruitgui.classification.evidence import UNKNOWN, Evidence, LabelledFruit
+from fruitgui.classification.model import KindModel
 from fruitgui.classification.parts import to_parts
 from fruitgui.classification.training import train
 from fruitgui.errors import CancelledByUserError, InputError
 from tests.unit.classification.orchard import NAMES, Orchard
 
 
-def _judged(model, fruit):
+def _judged(model: KindModel, fruit: Sequence[LabelledFruit]) -> Confusion:
     return confusion(model.kinds, [Judged(one, model.vote(one.evidence)) for one in fruit])
 
 
-def test_new_fruit_get_their_kind(trained, orchard):
+def test_new_fruit_get_their_kind(trained: Training[KindModel], orchard: Orchard) -> None:
     counted = _judged(trained.model, orchard.harvest(each=50, views=12, seed=9))
     # Kinds lie 9 standard deviations apart in their own metric: the best rule errs in 1e-5 of pairs.
     assert counted.right.value >= 0.985
     assert counted.rejected.value <= 0.01
 
 
-def test_kinds_never_trained_are_unknown(trained):
+def test_kinds_never_trained_are_unknown(trained: Training[KindModel]) -> None:
     strange = Orchard.planted(kinds=40, apart=20.0, seed=5).harvest(each=3, views=12, seed=6)
     assert _judged(trained.model, strange).strangers_found.value >= 0.95
 
 
-def test_the_held_out_figures_are_near_those_of_new_fruit(trained, orchard):
+def test_the_held_out_figures_are_near_those_of_new_fruit(trained: Training[KindModel], orchard: Orchard) -> None:
     new = _judged(trained.model, orchard.harvest(each=50, views=12, seed=10)).right.value
     assert trained.confusion.right.trials == 80
     assert trained.confusion.right.low <= new <= max(trained.confusion.right.high, 1.0)
@@ -33,7 +39,7 @@ def test_the_held_out_figures_are_near_those_of_new_fruit(trained, orchard):
     assert trained.curve[-1].right == trained.confusion.right
 
 
-def test_held_out_fruit_are_judged_by_models_that_never_saw_them():
+def test_held_out_fruit_are_judged_by_models_that_never_saw_them() -> None:
     """Kinds without any difference: a model that saw a fruit could name it; one that did not can only guess."""
     random = np.random.default_rng(1)
     same = Orchard.planted(kinds=1, apart=0.0, seed=1)
@@ -42,7 +48,7 @@ def test_held_out_fruit_are_judged_by_models_that_never_saw_them():
     assert counted.right.value < 0.70
 
 
-def test_one_piece_that_crossed_twice_is_held_out_as_one(orchard):
+def test_one_piece_that_crossed_twice_is_held_out_as_one(orchard: Orchard) -> None:
     fruit = orchard.harvest(each=6, views=6, seed=4)
     twice = [*fruit, *(LabelledFruit(one.fruit_id, one.kind, one.evidence) for one in fruit)]
     found = train(twice, NAMES, seed=1)
@@ -56,14 +62,14 @@ def test_one_piece_that_crossed_twice_is_held_out_as_one(orchard):
     assert train(mixed, NAMES, seed=1).confusion.right.value < 0.75
 
 
-def test_the_same_seed_gives_the_same_model(orchard):
+def test_the_same_seed_gives_the_same_model(orchard: Orchard) -> None:
     fruit = orchard.harvest(each=4, views=5, seed=7)
     (settings, arrays), (again, arrays_again) = (to_parts(train(fruit, NAMES, seed=5).model) for _ in range(2))
     assert settings == again
     assert all(np.array_equal(arrays[name], arrays_again[name]) for name in arrays)
 
 
-def test_probabilities_come_true(trained, orchard):
+def test_probabilities_come_true() -> None:
     """Reliability: among held-out-like fruit, those said to be right with probability p are right about that often."""
     near = Orchard.planted(kinds=4, apart=3.5, seed=8)
     model = train(near.harvest(each=25, views=6, seed=1), NAMES, seed=1).model
@@ -78,13 +84,13 @@ def test_probabilities_come_true(trained, orchard):
             assert abs(said[chosen].mean() - right[chosen].mean()) < 0.08 + 3 * spread
 
 
-def _given_known(probabilities, kind):
+def _given_known(probabilities: Mapping[str, float], kind: str) -> tuple[float, bool]:
     known = {name: value for name, value in probabilities.items() if name != UNKNOWN}
     best = max(known, key=known.__getitem__)
     return known[best] / sum(known.values()), best == kind
 
 
-def test_few_labels_work_and_warn(orchard):
+def test_few_labels_work_and_warn(orchard: Orchard) -> None:
     fruit = orchard.harvest(each=5, views=1, seed=3)
     found = train(fruit, NAMES, seed=1)
     counted = _judged(found.model, orchard.harvest(each=50, views=8, seed=4))
@@ -93,7 +99,7 @@ def test_few_labels_work_and_warn(orchard):
     assert sum("views" in warning for warning in found.warnings) == 4
 
 
-def test_a_kind_with_one_fruit_is_trained_but_not_judged(orchard):
+def test_a_kind_with_one_fruit_is_trained_but_not_judged(orchard: Orchard) -> None:
     fruit = [one for one in orchard.harvest(each=6, views=6, seed=3) if not one.kind.endswith("3")]
     lone = orchard.harvest(each=1, views=6, seed=5)[3]
     found = train([*fruit, lone], NAMES, seed=1)
@@ -103,7 +109,7 @@ def test_a_kind_with_one_fruit_is_trained_but_not_judged(orchard):
 
 
 @pytest.mark.parametrize("each", [1, 6])
-def test_one_kind_alone_is_told_from_what_it_is_not(orchard, each):
+def test_one_kind_alone_is_told_from_what_it_is_not(orchard: Orchard, each: int) -> None:
     own = [one for one in orchard.harvest(each=each, views=8, seed=3) if one.kind == "kind 0"]
     found = train(own, NAMES, seed=1)
     vote = found.model.vote(own[0].evidence)
@@ -113,7 +119,7 @@ def test_one_kind_alone_is_told_from_what_it_is_not(orchard, each):
     assert found.model.vote(far).kind == UNKNOWN
 
 
-def test_things_labelled_unknown_are_learned_from(orchard):
+def test_things_labelled_unknown_are_learned_from(orchard: Orchard) -> None:
     """A stranger between two kinds, near enough to pass, is rejected once such strangers were shown."""
     fruit = orchard.harvest(each=15, views=8, seed=3)
     near = Orchard(orchard.means[:2].mean(axis=0, keepdims=True) * 0.9, orchard.mixing * 0.5, orchard.fused[:1])
@@ -129,13 +135,13 @@ def test_things_labelled_unknown_are_learned_from(orchard):
     assert taught.confusion.right.value >= 0.95
 
 
-def test_uneven_kinds_are_told(orchard):
+def test_uneven_kinds_are_told(orchard: Orchard) -> None:
     fruit = orchard.harvest(each=12, views=5, seed=3)
     few = [one for one in fruit if one.kind != "kind 1" or int(one.fruit_id.split("-")[1]) < 2]
     assert any(warning.startswith("Uneven") for warning in train(few, NAMES, seed=1).warnings)
 
 
-def test_progress_rises_and_cancel_stops(orchard):
+def test_progress_rises_and_cancel_stops(orchard: Orchard) -> None:
     fruit = orchard.harvest(each=4, views=4, seed=3)
     told: list[float] = []
     train(fruit, NAMES, progress=lambda share, _: told.append(share))
@@ -146,7 +152,7 @@ def test_progress_rises_and_cancel_stops(orchard):
         train(fruit, NAMES, cancelled=lambda: next(asked) > 30)
 
 
-def test_bad_lessons_are_refused(orchard):
+def test_bad_lessons_are_refused(orchard: Orchard) -> None:
     fruit = orchard.harvest(each=2, views=2, seed=3)
     with pytest.raises(InputError, match="no labelled fruit"):
         train([], NAMES)
@@ -159,7 +165,7 @@ def test_bad_lessons_are_refused(orchard):
         train(many, NAMES)
 
 
-def test_a_fruit_that_could_not_be_measured_is_still_named(trained, orchard):
+def test_a_fruit_that_could_not_be_measured_is_still_named(trained: Training[KindModel], orchard: Orchard) -> None:
     fruit = orchard.harvest(each=10, views=12, seed=12)
     blind = [
         LabelledFruit(one.fruit_id, one.kind, Evidence(one.evidence.view_features, np.full(4, np.nan))) for one in fruit
@@ -167,7 +173,7 @@ def test_a_fruit_that_could_not_be_measured_is_still_named(trained, orchard):
     assert _judged(trained.model, blind).right.value >= 0.95
 
 
-def test_fewer_views_than_in_training_reject_no_more(trained, orchard):
+def test_fewer_views_than_in_training_reject_no_more(trained: Training[KindModel], orchard: Orchard) -> None:
     counted = _judged(trained.model, orchard.harvest(each=50, views=1, seed=13))
     assert counted.rejected.value <= 0.03
     assert counted.right.value >= 0.95
