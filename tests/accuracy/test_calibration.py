@@ -1,8 +1,8 @@
 """Self-calibration against simulated truth.
 
 A few placements run as tests, of those known to come out well: they guard against getting worse and are no
-measure of how often it goes well. That is the whole table, which `python -m tests.accuracy.test_calibration 1 41` prints for any range of
-seeds.
+measure of how often it goes well. That is the whole table, which
+`python -m tests.accuracy.test_calibration 1 41` prints for any range of seeds.
 """
 
 from __future__ import annotations
