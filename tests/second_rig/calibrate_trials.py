@@ -1,4 +1,5 @@
-"""Trials of `fruitgui calibrate`: well-posed placements that must be posed right, ill-posed ones that must be refused."""
+# ruff: noqa: ANN401 — choices are passed on as they are
+"""Trials of `fruitgui calibrate`: placements that must be posed right, and scenes that must be refused."""
 
 from __future__ import annotations
 
@@ -10,7 +11,7 @@ from typing import Any
 
 from tests.second_rig.camera import LENSES
 from tests.second_rig.kinect import Noise
-from tests.second_rig.mcap_files import Style, record
+from tests.second_rig.mcap_files import PLAIN, Style, record
 from tests.second_rig.product import Outcome, fruitgui
 from tests.second_rig.scene import Scene
 from tests.second_rig.scores import PoseError, mean, pose_errors, rate
@@ -48,10 +49,11 @@ class Trial:
         """Return one row of the table."""
         said = ",".join(self.codes) or "-"
         return (f"{self.name:24s} {self.verdict:11s} exit {self.outcome.code} {self.worst_mm:7.2f} mm "
-                f"{self.worst_deg:6.3f}° {self.outcome.cpu_s:6.1f} s {self.outcome.peak_mb:5.0f} MB {said}")  # fmt: skip
+                f"{self.worst_deg:6.3f}° {self.outcome.cpu_s:6.1f} s "
+                f"{self.outcome.peak_mb:5.0f} MB {said}")  # fmt: skip
 
 
-def posed(seed: int, layout: str, folder: Path, style: Style = Style(), **choices: Any) -> Trial:
+def posed(seed: int, layout: str, folder: Path, style: Style = PLAIN, **choices: Any) -> Trial:
     """Run one well-posed scene."""
     scene = still(seed, layout, **choices)
     return _judge(f"{layout}-{seed}", scene, folder, style, ())
@@ -86,7 +88,12 @@ def battery(seed: int, cases: int, folder: Path, *, ill: bool = True) -> Iterato
     """Run `cases` well-posed placements (layouts, lenses and noise in turn), then two of every ill-posed case."""
     noises = (Noise(), Noise(fattening_px=1.0), Noise(standing_share=0.6, projector_side=1.0), Noise(sigma=1.8e-3))
     lenses = ("640x480", "640x480", "848x480", "640x480", "1280x720", "640x480", "320x240", "640x480")
-    styles = (Style(), Style("png", "png"), Style("bgr8", "32FC1", chunk="lz4"), Style("rgb8", "compressedDepth", padded=True))
+    styles = (
+        Style(),
+        Style("png", "png"),
+        Style("bgr8", "32FC1", chunk="lz4"),
+        Style("rgb8", "compressedDepth", padded=True),
+    )
     for n in range(cases):
         yield posed(seed + n, LAYOUTS[n % len(LAYOUTS)], folder, styles[n // 4 % 4], captures=8 if n % 3 else 4,
                     noise=noises[n // 2 % 4], lens=LENSES[lenses[n % 8]])  # fmt: skip

@@ -73,7 +73,10 @@ def relative(reference: Stand, other: Stand) -> tuple[F64, F64]:
 def project(lens: Lens, points_m: F64) -> F64:
     """Return pixels (N, 2) of points (N, 3) of the optical frame."""
     if not lens.distortion:
-        return np.stack([lens.fx * points_m[:, 0], lens.fy * points_m[:, 1]], axis=1) / points_m[:, 2:] + [lens.cx, lens.cy]
+        return np.stack([lens.fx * points_m[:, 0], lens.fy * points_m[:, 1]], axis=1) / points_m[:, 2:] + [
+            lens.cx,
+            lens.cy,
+        ]
     import cv2
 
     pixels, _ = cv2.projectPoints(points_m, np.zeros(3), np.zeros(3), lens.matrix, np.array(lens.distortion))

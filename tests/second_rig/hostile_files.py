@@ -1,3 +1,4 @@
+# ruff: noqa: ANN401 — the library makes its message types at run time
 """Files that nobody should be able to hurt the product with: recordings, stations, models, labels."""
 
 from __future__ import annotations
@@ -105,6 +106,7 @@ def _zeros_zstd(megabytes: int) -> bytes:
 
 def raw_recordings() -> dict[str, Callable[[], bytes]]:
     """Return makers of whole files, by what is wrong with them; none holds a readable frame."""
+    ending = _record(0x0F, struct.pack("<I", 0))
     start = MAGIC + _record(1, _text("ros2") + _text("hostile"))
     return {
         "empty": lambda: b"",
@@ -124,7 +126,7 @@ def raw_recordings() -> dict[str, Callable[[], bytes]]:
         "chunk_zstd_noise": lambda: start + _chunk(1000, "zstd", b"(\xb5/\xfd" + bytes(40)),
         "chunk_zstd_bomb": lambda: start + _chunk(1 << 30, "zstd", _zeros_zstd(1024)),
         "chunk_zstd_bomb_that_lies": lambda: start + _chunk(1000, "zstd", _zeros_zstd(1024)),
-        "summary_offset_lies": lambda: start + _record(0x0F, struct.pack("<I", 0)) + _record(2, struct.pack("<QQI", 2**60, 2**61, 7)) + MAGIC,
+        "summary_offset_lies": lambda: start + ending + _record(2, struct.pack("<QQI", 2**60, 2**61, 7)) + MAGIC,
         "ros1_magic_only": lambda: b"#ROSBAG V2.0\n",
         "ros1_noise": lambda: b"#ROSBAG V2.0\n" + np.random.default_rng(2).bytes(5000),
         "ros1_length_lies": lambda: b"#ROSBAG V2.0\n" + struct.pack("<I", 2**32 - 1) + b"op=\x03",
@@ -181,8 +183,17 @@ def cdr_with_lying_lengths(folder: Path) -> Path:
         schema = writer.register_schema("sensor_msgs/msg/Image", "ros2msg", b"")
         for topic in ("/k1/rgb/image_raw", "/k1/depth_registered/image_raw"):
             channel = writer.register_channel(topic, "cdr", schema)
-            good = bytearray(store().serialize_cdr(raw_image(1.0, "k1", "rgb8", np.zeros((8, 8, 3), np.uint8)), "sensor_msgs/msg/Image"))
-            for lie in (good[:12] + b"\xff\xff\xff\xff" + good[16:], good[:-196] + b"\xff\xff\xff\x7f" + good[-192:], good[:20], b""):
+            good = bytearray(
+                store().serialize_cdr(
+                    raw_image(1.0, "k1", "rgb8", np.zeros((8, 8, 3), np.uint8)), "sensor_msgs/msg/Image"
+                )
+            )
+            for lie in (
+                good[:12] + b"\xff\xff\xff\xff" + good[16:],
+                good[:-196] + b"\xff\xff\xff\x7f" + good[-192:],
+                good[:20],
+                b"",
+            ):
                 writer.add_message(channel, 1, bytes(lie), 1)
         writer.finish()
     return path
@@ -214,7 +225,9 @@ def stations(good: dict[str, Any]) -> dict[str, str]:
         "no_sensors": altered("sensors", value={}),
         "reference_unknown": altered("reference_sensor", value="nobody"),
         "pose_nan": altered(*pose, "translation_m", value=[nan, 0.0, 0.0]),
-        "pose_huge_number": altered(*pose, "translation_m", value=[0.0, 0.0, 0.0]).replace("[0.0, 0.0, 0.0]", "[1e999, 0, 0]"),
+        "pose_huge_number": altered(*pose, "translation_m", value=[0.0, 0.0, 0.0]).replace(
+            "[0.0, 0.0, 0.0]", "[1e999, 0, 0]"
+        ),
         "rotation_nan": altered(*pose, "rotation", value=[[nan] * 3] * 3),
         "rotation_scaled": altered(*pose, "rotation", value=(turn * 1.01).tolist()),
         "rotation_mirrored": altered(*pose, "rotation", value=(turn @ np.diag([1.0, 1.0, -1.0])).tolist()),
@@ -257,14 +270,14 @@ def models(good: bytes, name: str) -> bytes:
         "text": lambda: b"no zip at all",
         "cut": lambda: good[: len(good) // 2],
         "empty_zip": lambda: _zip({}),
-        "version_of_tomorrow": lambda: _zip(entries | {main: entries[main].replace(b"fruitgui.model/1", b"fruitgui.model/2")}),
+        "version_of_tomorrow": lambda: _zip(entries | {main: entries[main].replace(b"model/1", b"model/2")}),
         "pickle_inside": lambda: _zip(entries | {array: _npy(np.array([{"a": 1}], dtype=object))}),
         "nan_weights": lambda: _zip(entries | {array: _npy(np.full(shape, np.nan))}),
-        "array_shape_lies": lambda: _zip(entries | {array: b"\x93NUMPY\x01\x00" + _npy_header((10**9, 10**4)) + bytes(100)}),
+        "array_shape_lies": lambda: _zip(entries | {array: _npy_that_lies((10**9, 10**4))}),
         "array_is_text": lambda: _zip(entries | {array: b"hello"}),
         "array_missing": lambda: _zip({entry: data for entry, data in entries.items() if entry != array}),
-        "bomb": lambda: _zip(entries | {array: bytes(600 << 20)}),
-        "json_bomb": lambda: _zip(entries | {main: b" " * (600 << 20) + entries[main]}),
+        "bomb": lambda: _zip(entries | {array: bytes(400 << 20)}),
+        "json_bomb": lambda: _zip(entries | {main: b" " * (400 << 20) + entries[main]}),
         "manifest_not_json": lambda: _zip(entries | {main: b"{"}),
         "manifest_list": lambda: _zip(entries | {main: b"[]"}),
         "flipped_bits": lambda: good[:200] + bytes(b ^ 0x55 for b in good[200:300]) + good[300:],
@@ -278,9 +291,9 @@ def _npy(values: np.ndarray) -> bytes:
     return sink.getvalue()
 
 
-def _npy_header(shape: tuple[int, ...]) -> bytes:
+def _npy_that_lies(shape: tuple[int, ...]) -> bytes:
     text = f"{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}".ljust(117) + "\n"
-    return struct.pack("<H", len(text)) + text.encode()
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text.encode() + bytes(100)
 
 
 def _zip(entries: dict[str, bytes]) -> bytes:

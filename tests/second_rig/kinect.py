@@ -40,24 +40,52 @@ class Noise:
     edge_jitter_px: float = 0.4
 
 
-def read_depth(depth_m: F64, owner: NDArray[np.int32], cosine: F64, brightness: F64, focal_px: float,
-               noise: Noise, rng: np.random.Generator, standing: F64) -> NDArray[np.uint16]:  # fmt: skip
-    """Return millimetres (0 = none) of a true depth picture.
+@dataclass(frozen=True, slots=True, eq=False)
+class Fields:
+    """Random fields of one device, drawn once, larger than the picture: each capture cuts its own parts out.
 
-    `owner` says which thing every pixel shows, `standing` is this device's constant noise pattern.
+    Attributes:
+        rough: correlated like depth noise; smooth: like ragged outlines; white: not at all; all variance 1.
+        standing: the device's constant pattern, as large as the picture.
     """
+
+    rough: NDArray[np.float32]
+    smooth: NDArray[np.float32]
+    white: NDArray[np.float32]
+    standing: NDArray[np.float32]
+
+    def cut(self, which: NDArray[np.float32], rng: np.random.Generator) -> NDArray[np.float32]:
+        """Return a part of a field, as large as the picture, from a random place and perhaps mirrored."""
+        height, width = self.standing.shape
+        row = int(rng.integers(which.shape[0] - height))
+        column = int(rng.integers(which.shape[1] - width))
+        part = which[row : row + height, column : column + width]
+        return part[:: int(rng.choice([-1, 1])), :: int(rng.choice([-1, 1]))] * np.float32(rng.choice([-1.0, 1.0]))
+
+
+def fields(shape: tuple[int, int], noise: Noise, rng: np.random.Generator) -> Fields:
+    """Draw a device's random fields."""
+    wide = (shape[0] + 300, shape[1] + 300)
+    rough, smooth = _correlated(wide, noise, rng), _smooth(wide, 1.0, rng)
+    white = rng.standard_normal(wide, dtype=np.float32)
+    return Fields(rough, smooth, white, _correlated(shape, noise, rng))
+
+
+def read_depth(depth_m: F64, owner: NDArray[np.int32], cosine: F64, brightness: F64, focal_px: float,
+               noise: Noise, rng: np.random.Generator, field: Fields) -> NDArray[np.uint16]:  # fmt: skip
+    """Return millimetres (0 = none) of a true depth picture; `owner` says which thing every pixel shows."""
     z = np.where(np.isfinite(depth_m), depth_m, 0.0)
-    z = _jitter(z, noise.edge_jitter_px, rng)
+    z = _jitter(z, noise.edge_jitter_px, field, rng)
     if noise.fattening_px:
         z = _fatten(z, owner, noise.fattening_px, rng)
     lost = (z < 0.45) | (z > 4.5)
     if noise.shadow:
         lost |= _shadowed(z, focal_px, noise.projector_side)
-    lost |= rng.random(z.shape) < noise.holes + np.clip(0.22 - cosine, 0.0, 1.0) * 4.0
-    lost |= (brightness < 0.012) & (rng.random(z.shape) < 0.25)
+    chance = noise.holes + np.clip(0.22 - cosine, 0.0, 1.0) * 4.0 + np.where(brightness < 0.012, 0.25, 0.0)
+    lost |= rng.random(z.shape, dtype=np.float32) < chance
     z = np.where(z > 0.0, z, 1.0)
-    moving = _correlated(z.shape, noise, rng)
-    error = np.sqrt(noise.standing_share) * standing + np.sqrt(1.0 - noise.standing_share) * moving
+    moving = field.cut(field.rough, rng)
+    error = np.sqrt(noise.standing_share) * field.standing + np.sqrt(1.0 - noise.standing_share) * moving
     disparity = FOCAL_BASELINE_PX_M / z + error * noise.sigma * FOCAL_BASELINE_PX_M
     if noise.step_px:
         disparity = np.round(disparity / noise.step_px) * noise.step_px
@@ -65,32 +93,30 @@ def read_depth(depth_m: F64, owner: NDArray[np.int32], cosine: F64, brightness: 
     return np.where(lost, 0.0, np.round(read * 1000.0)).astype(np.uint16)
 
 
-def standing_noise(shape: tuple[int, ...], noise: Noise, rng: np.random.Generator) -> F64:
-    """Return a device's own constant pattern, variance 1."""
-    return _correlated(shape, noise, rng)
+def _correlated(shape: tuple[int, int], noise: Noise, rng: np.random.Generator) -> NDArray[np.float32]:
+    white = rng.standard_normal(shape, dtype=np.float32)
+    smooth = _smooth(shape, noise.window_px, rng)
+    mixed = np.sqrt(noise.white_share) * white + np.sqrt(1.0 - noise.white_share) * smooth
+    return np.asarray(mixed, dtype=np.float32)
 
 
-def _correlated(shape: tuple[int, ...], noise: Noise, rng: np.random.Generator) -> F64:
+def _smooth(shape: tuple[int, int], window_px: float, rng: np.random.Generator) -> NDArray[np.float32]:
     import cv2
 
-    white = rng.standard_normal(shape, dtype=np.float32)
-    smooth = cv2.GaussianBlur(rng.standard_normal(shape, dtype=np.float32), (0, 0), noise.window_px)
-    smooth *= 2.0 * np.sqrt(np.pi) * noise.window_px
-    mixed = np.sqrt(noise.white_share) * white + np.sqrt(1.0 - noise.white_share) * smooth
-    return np.asarray(mixed, dtype=np.float64)
+    blurred = cv2.GaussianBlur(rng.standard_normal(shape, dtype=np.float32), (0, 0), window_px)
+    return np.asarray(blurred / blurred.std(), dtype=np.float32)
 
 
-def _jitter(z: F64, strength_px: float, rng: np.random.Generator) -> F64:
-    """Take each pixel from up to a pixel aside: outlines of a real sensor are ragged."""
+def _jitter(z: F64, strength_px: float, field: Fields, rng: np.random.Generator) -> F64:
+    """Take each pixel from a little aside: outlines of a real sensor are ragged."""
     import cv2
 
     if not strength_px:
         return z
     height, width = z.shape
     u, v = np.meshgrid(np.arange(width, dtype=np.float32), np.arange(height, dtype=np.float32))
-    aside = [cv2.GaussianBlur(rng.standard_normal(z.shape, dtype=np.float32), (0, 0), 1.0) * 3.5 * strength_px
-             for _ in range(2)]  # fmt: skip
-    return np.asarray(cv2.remap(z, u + aside[0], v + aside[1], cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE))
+    across, down = (strength_px * field.cut(field.smooth, rng) for _ in range(2))
+    return np.asarray(cv2.remap(z, u + across, v + down, cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE))
 
 
 def _fatten(z: F64, owner: NDArray[np.int32], width_px: float, rng: np.random.Generator) -> F64:

@@ -10,7 +10,7 @@ from typing import Any
 
 from tests.second_rig.kinect import Noise
 from tests.second_rig.lines import LinePlan, line
-from tests.second_rig.mcap_files import Style, record
+from tests.second_rig.mcap_files import PLAIN, Style, record
 from tests.second_rig.produce import KINDS
 from tests.second_rig.product import Outcome, fruitgui, require
 from tests.second_rig.scene import Scene
@@ -50,7 +50,7 @@ def train(plan: LinePlan, seed: int, folder: Path, name: str) -> tuple[Path, Pat
     recordings, labels = [], []
     station = folder / f"{name}-station.json"
     for n, light in enumerate((150.0, 800.0)):
-        day = replace(plan, fruit=40, light_lx=light, touching=0.0, foreign=0, speed_m_s=0.15, silent_s=0.0, stop_s=0.0,
+        day = replace(plan, fruit=30, light_lx=light, touching=0.0, foreign=0, speed_m_s=0.25, silent_s=0.0, stop_s=0.0,
                       clock_s=0.0)  # fmt: skip
         scene = line(seed + 500 + n, day)
         recordings.append(record(scene, folder / f"{name}-train-{n}.mcap"))
@@ -62,7 +62,7 @@ def train(plan: LinePlan, seed: int, folder: Path, name: str) -> tuple[Path, Pat
 
 
 def run(name: str, plan: LinePlan, seed: int, station: Path, model: Path | None, folder: Path,
-        extra: Sequence[str] = (), style: Style = Style()) -> Trial:  # fmt: skip
+        extra: Sequence[str] = (), style: Style = PLAIN) -> Trial:  # fmt: skip
     """Record a line and run the product on it."""
     scene = line(seed, plan)
     recording = record(scene, folder / f"{name}-{seed}.mcap", style)
@@ -83,8 +83,9 @@ def table(trial: Trial) -> str:
     missing = [actor.thing.kind for actor in found.lost]
     timing = trial.report.get("timing", {})
     lines = [
-        f"== {trial.name}: {len(found.matches)} things, {len(trial.report['fruit'])} records; lost {len(missing)} {missing or ''}"
-        f" double {len(found.doubles)} ghost {len(found.ghosts)}; {timing.get('frames', 0) / max(trial.outcome.wall_s, 1e-9):.0f}"
+        f"== {trial.name}: {len(found.matches)} things, {len(trial.report['fruit'])} records;"
+        f" lost {len(missing)} {missing or ''} double {len(found.doubles)} ghost {len(found.ghosts)};"
+        f" {timing.get('frames', 0) / max(trial.outcome.wall_s, 1e-9):.0f}"
         f" frames/s wall, cpu {trial.outcome.cpu_s:.1f} s, {trial.outcome.peak_mb:.0f} MB",
     ]
     figures = [
@@ -99,9 +100,13 @@ def table(trial: Trial) -> str:
         figures.append((f"{size} |error|, mm", mean([abs(float(r[size])) for r in rows if size in r])))
         figures.append((f"{size} bias, mm", mean([float(r[size]) for r in rows if size in r])))
     for kind in KINDS:
-        figures.append((f"volume |error| {kind}, %",
-                        mean([100 * abs(float(r["volume"])) for r in rows if r["kind"] == kind and "volume" in r])))  # fmt: skip
+        own = [100 * abs(float(r["volume"])) for r in rows if r["kind"] == kind and "volume" in r]
+        figures.append((f"volume |error| {kind}, %", mean(own)))
     lines += [f"   {name:38s} {v:8.3f}  [{low:.3f}, {high:.3f}]  n={n}" for name, (v, low, high, n) in figures if n]
     wrong = [f"{r['number']}:{r['kind']}→{r['said']}" for r in rows if not r["right"]]
-    wrong += [f"{m.actor.number}:{m.actor.thing.kind}→{m.said['kind']}" for m in strangers if m.said and m.said["kind"] != "unknown"]
+    wrong += [
+        f"{m.actor.number}:{m.actor.thing.kind}→{m.said['kind']}"
+        for m in strangers
+        if m.said and m.said["kind"] != "unknown"
+    ]
     return "\n".join([*lines, *([f"   wrong: {' '.join(wrong)}"] if wrong else [])])

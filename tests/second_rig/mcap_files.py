@@ -1,3 +1,4 @@
+# ruff: noqa: ANN401 — the library makes its message types at run time
 """Writes a scene as an MCAP recording with the public libraries alone."""
 
 from __future__ import annotations
@@ -31,6 +32,9 @@ class Style:
     disorder_s: float = 0.0
     chunk: str = "zstd"
     padded: bool = False
+
+
+PLAIN = Style()
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,14 +94,16 @@ def camera_info(stamp_s: float, frame: str, lens: Lens) -> Any:
     )  # fmt: skip
 
 
-def messages(scene: Scene, style: Style = Style()) -> Iterator[Message]:
+def messages(scene: Scene, style: Style = PLAIN) -> Iterator[Message]:
     """Render a scene; yield its messages in the order in which they are to be written."""
     waiting: list[tuple[float, list[Message]]] = []
     rng = np.random.default_rng([scene.seed, 9])
     renderer = Renderer(scene)
     for time, sequence, eye in scene.captures():
         shot = renderer.shoot(eye, time, sequence)
-        waiting.append((time + float(rng.uniform(0.0, style.disorder_s)), list(_of_shot(scene, eye, time, shot, style))))
+        waiting.append(
+            (time + float(rng.uniform(0.0, style.disorder_s)), list(_of_shot(scene, eye, time, shot, style)))
+        )
         waiting.sort(key=lambda item: item[0])
         while waiting and waiting[0][0] <= time:
             yield from waiting.pop(0)[1]
@@ -187,7 +193,7 @@ def write_mcap(path: Path, stream: Iterator[Message], chunk: str = "zstd") -> Pa
     return path
 
 
-def record(scene: Scene, path: Path, style: Style = Style()) -> Path:
+def record(scene: Scene, path: Path, style: Style = PLAIN) -> Path:
     """Render a scene into a recording unless it is there already; return its path."""
     if not path.exists():
         half = path.with_suffix(".part")

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tests.second_rig.bodies import F64
 from tests.second_rig.camera import Lens, Stand, project, rays
-from tests.second_rig.kinect import read_depth, standing_noise
+from tests.second_rig.kinect import Fields, fields, read_depth
 from tests.second_rig.produce import Thing
 from tests.second_rig.scene import Actor, Eye, Scene
 from tests.second_rig.setting import BELT, Backdrop, backdrop, belt_grain, lamp_light, linear
@@ -43,24 +43,27 @@ class Renderer:
     scene: Scene
     _backdrops: dict[tuple[str, bytes], Backdrop] = field(default_factory=dict)
     _still: dict[tuple[str, bytes, bytes], _View] = field(default_factory=dict)
-    _standing: dict[str, F64] = field(default_factory=dict)
+    _fields: dict[str, Fields] = field(default_factory=dict)
 
     def shoot(self, eye: Eye, time_s: float, sequence: int) -> Shot:
         """Return what a sensor gives at a time; the same for the same seed."""
         rng = np.random.default_rng([self.scene.seed, sum(eye.name.encode()), sequence, 77])
         stand = self.scene.stand_at(eye, time_s)
         view = self._trace(eye, stand, time_s)
-        colour = _expose(view.light, self.scene.light_lx, rng)
+        if eye.name not in self._fields:
+            own = np.random.default_rng([self.scene.seed, sum(eye.name.encode())])
+            shape = (eye.lens.height, eye.lens.width)
+            self._fields[eye.name] = fields(shape, eye.noise, own)
+        chaos = self._fields[eye.name]
+        grain = np.stack([chaos.cut(chaos.white, rng) for _ in range(3)], axis=-1)
+        colour = _expose(view.light, self.scene.light_lx, grain)
         if eye.depth_in_own_camera:
             stand = Stand(stand.rotation, stand.outward(DEPTH_CAMERA_SHIFT_M))
             depth_view = self._trace(eye, stand, time_s)
         else:
             depth_view = view
-        if eye.name not in self._standing:
-            fixed = np.random.default_rng([self.scene.seed, sum(eye.name.encode())])
-            self._standing[eye.name] = standing_noise(view.depth_m.shape, eye.noise, fixed)
         depth = read_depth(depth_view.depth_m, depth_view.owner, depth_view.cosine, depth_view.light.mean(axis=-1),
-                           eye.lens.fx, eye.noise, rng, self._standing[eye.name])  # fmt: skip
+                           eye.lens.fx, eye.noise, rng, chaos)  # fmt: skip
         return Shot(colour, depth, view.owner)
 
     def _trace(self, eye: Eye, stand: Stand, time_s: float) -> _View:
@@ -143,12 +146,15 @@ def _march(thing: Thing, eye_m: F64, directions: F64) -> F64:
     # Single precision errs by a tenth of a micrometre here and takes half the time.
     directions, eye_m = directions.astype(np.float32), eye_m.astype(np.float32)
     length = np.linalg.norm(directions, axis=1)
-    along = -(directions @ eye_m) / length**2
-    off = float(eye_m @ eye_m) - along**2 * length**2
-    half = np.sqrt(np.maximum(body.radius_m**2 - off, 0.0)) / length
+    # Rays start where they meet the ellipsoid that holds the body.
+    scaled, start = directions / body.shell_m.astype(np.float32), eye_m / body.shell_m.astype(np.float32)
+    square = np.einsum("ij,ij->i", scaled, scaled)
+    along = -(scaled @ start) / square
+    inside = along**2 - (np.float32(start @ start) - 1.0) / square
+    half = np.sqrt(np.maximum(inside, 0.0))
     z, last = along - half, along + half
     found = np.full(len(z), np.inf)
-    active = np.flatnonzero(off < body.radius_m**2)
+    active = np.flatnonzero(inside > 0.0)
     for _ in range(60):
         if not len(active):
             break
@@ -189,13 +195,12 @@ def _shine(thing: Thing, number: int, spots: F64, normals: F64, sight: F64, turn
     return np.asarray(light + thing.gloss * 0.5 * highlight[:, None])
 
 
-def _expose(light: F64, light_lx: float, rng: np.random.Generator) -> NDArray[np.uint8]:
+def _expose(light: F64, light_lx: float, grain: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Return the picture: automatic exposure that does not quite keep up, a cast in dim light, shot noise."""
     dim = np.log10(400.0 / light_lx)
     gain = 0.95 * 10.0 ** (-0.35 * dim)
     cast = 1.0 + np.array([0.06, 0.0, -0.08]) * dim
-    grey = np.clip(light * (gain * cast), 0.0, 1.0).astype(np.float32)
-    shown = 255.0 * np.power(grey, np.float32(1.0 / 2.2))
-    sigma = 2.0 * 10.0 ** (0.5 * dim) + 0.5
-    shown += sigma * rng.standard_normal(shown.shape, dtype=np.float32)
-    return np.clip(np.round(shown), 0, 255).astype(np.uint8)
+    levels = np.clip(light * (gain * cast * 4095.0), 0.0, 4095.0).astype(np.uint16)
+    curve = (255.0 * (np.arange(4096) / 4095.0) ** (1.0 / 2.2)).astype(np.float32)
+    sigma = np.float32(2.0 * 10.0 ** (0.5 * dim) + 0.5)
+    return np.clip(curve[levels] + sigma * grain + 0.5, 0.0, 255.0).astype(np.uint8)

@@ -123,10 +123,10 @@ class Scene:
 
     def origin_m(self, actor: Actor, time_s: float) -> F64:
         """Return the place of an actor's origin in the world."""
-        place = actor.origin_m + [self.drive.travel_m(time_s), 0.0, 0.0]
+        place = actor.origin_m + np.array([self.drive.travel_m(time_s), 0.0, 0.0])
         for since, number, dx, dy in self.stirs:
             if number == actor.number and time_s >= since:
-                place = place + [dx, dy, 0.0]
+                place = place + np.array([dx, dy, 0.0])
         return np.asarray(place)
 
     def centre_m(self, actor: Actor, time_s: float) -> F64:
@@ -149,9 +149,10 @@ def _resting(thing: Thing, rng: np.random.Generator) -> F64:
         return _spin(rng.uniform(0.0, 2.0 * np.pi)) @ _lean(0.0 if flat else rng.normal(0.0, 0.35))
     heading, own = _spin(rng.uniform(0.0, 2.0 * np.pi)), _spin(rng.uniform(0.0, 2.0 * np.pi))
     leans = np.pi / 2 + np.radians(np.arange(-24.0, 25.0, 2.0))
-    heights = [float((_lean(a) @ own @ thing.truth.centre_m)[2] - (thing.body.surface_m @ (_lean(a) @ own).T)[:, 2].min())
-               for a in leans]  # fmt: skip
-    return heading @ _lean(float(leans[int(np.argmin(heights))])) @ own
+    turns = [_lean(float(angle)) @ own for angle in leans]
+    centre, surface = thing.truth.centre_m, thing.body.surface_m
+    heights = [float(turn[2] @ centre - (surface @ turn[2]).min()) for turn in turns]
+    return heading @ turns[int(np.argmin(heights))]
 
 
 def _spin(angle: float) -> F64:

@@ -106,7 +106,9 @@ def account(scene: Scene, report: dict[str, Any], gate_m: float = 0.045) -> Acco
     gaps = np.full((len(records), len(scene.actors)), 9.0)
     for row, said in enumerate(records):
         times = [point["time_s"] - scene.start_s - reference.clock_s for point in said["path"]]
-        places = reference.stand.outward(np.array([point["position_m"] for point in said["path"]], dtype=float).reshape(-1, 3))
+        places = reference.stand.outward(
+            np.array([point["position_m"] for point in said["path"]], dtype=float).reshape(-1, 3)
+        )
         for column, actor in enumerate(scene.actors):
             truth = np.array([scene.centre_m(actor, time) for time in times]).reshape(-1, 3)
             if len(truth):
@@ -129,7 +131,8 @@ def measured(found: Account) -> list[dict[str, float | str | bool]]:
         volume = truth.volume_m3 * 1e6
         row: dict[str, float | str | bool] = {
             "number": match.actor.number, "kind": match.actor.thing.kind, "said": said["kind"],
-            "right": said["kind"] == match.actor.thing.kind, "unknown": said["kind"] == "unknown", "views": said["views"],
+            "right": said["kind"] == match.actor.thing.kind, "unknown": said["kind"] == "unknown",
+            "views": said["views"],
         }  # fmt: skip
         if said.get("volume_ml") is not None:
             row["volume"] = (said["volume_ml"] - volume) / volume

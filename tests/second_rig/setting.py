@@ -105,7 +105,7 @@ def backdrop(setting: Setting, lens: Lens, stand: Stand) -> Backdrop:
         spot = origin[:2] + np.where(np.isfinite(reach), reach, 0.0)[..., None] * directions[..., :2]
         hit = np.isfinite(reach) & (reach > 0.0) & (reach < depth)
         if kind == BELT:
-            hit &= (np.abs(spot[..., 1]) < setting.width_m / 2)
+            hit &= np.abs(spot[..., 1]) < setting.width_m / 2
             hit &= (spot[..., 0] > setting.ends_m[0]) & (spot[..., 0] < setting.ends_m[1])
         depth, part = np.where(hit, reach, depth), np.where(hit, np.uint8(kind), part)
         normals[hit], albedo[hit] = (0.0, 0.0, 1.0), linear(colour)

@@ -45,10 +45,12 @@ def ill_posed(seed: int, case: str) -> Scene:
     setting = furnish(rng, with_rails=case != "bare")
     stands, middle = place("opposed", rng)
     if case == "disconnected":
-        stands = [stands[0], Stand(stands[1].rotation, stands[1].centre_m + [4.0, 0.0, 0.0])]
+        stands = [stands[0], Stand(stands[1].rotation, stands[1].centre_m + np.array([4.0, 0.0, 0.0]))]
     actors = _SUBJECTS.get(case, _mixed)(setting, middle, rng)
     if case == "disconnected":
-        second = scatter([grow("lemon", rng) for _ in range(6)], middle + [4.0, 0.0], np.array([0.3, 0.15]), rng, 100)
+        second = scatter(
+            [grow("lemon", rng) for _ in range(6)], middle + np.array([4.0, 0.0]), np.array([0.3, 0.15]), rng, 100
+        )
         actors = (*actors, *second)
     scene = _still(seed, setting, stands, actors, 8, KINECT, Noise(), rng)
     half = scene.seconds / 2
@@ -80,7 +82,7 @@ def place(layout: str, rng: np.random.Generator) -> tuple[list[Stand], F64]:
         "opposed": [(90.0, 0.0), (-90.0, 0.0)],
         "chain": [(90.0, -0.5), (-90.0, 0.0), (90.0, 0.5)],
         "ring": [(45.0, 0.1), (135.0, -0.1), (225.0, -0.1), (315.0, 0.1)],
-        "scattered": [(float(rng.uniform(0, 360)), -0.25), (float(rng.uniform(0, 360)), 0.0), (float(rng.uniform(0, 360)), 0.25)],
+        "scattered": [(float(rng.uniform(0, 360)), along) for along in (-0.25, 0.0, 0.25)],
     }  # fmt: skip
     return [_stand(azimuth + rng.normal(0.0, 8.0), along, rng) for azimuth, along in sides[layout]], np.zeros(2)
 
@@ -93,7 +95,9 @@ def _stand(azimuth_deg: float, along_m: float, rng: np.random.Generator) -> Stan
     return aim(centre, target, float(np.radians(rng.normal(0.0, 6.0))))
 
 
-def scatter(things: list[Thing], middle: F64, half_m: F64, rng: np.random.Generator, first: int = 0) -> tuple[Actor, ...]:
+def scatter(
+    things: list[Thing], middle: F64, half_m: F64, rng: np.random.Generator, first: int = 0
+) -> tuple[Actor, ...]:
     """Lay things at random inside a rectangle, none into another; what finds no room is left out."""
     actors: list[Actor] = []
     taken: list[tuple[F64, float]] = []

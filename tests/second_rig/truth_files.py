@@ -24,7 +24,11 @@ def true_station(scene: Scene, reference: str | None = None) -> dict[str, Any]:
         sensors[eye.name] = {
             "serial": None,
             "pose": {"rotation": rotation.tolist(), "translation_m": translation.tolist(), "covariance": None},
-            "surface": {"normal": normal.tolist(), "offset_m": float(eye.stand.centre_m[2]), "region": _region(scene, eye)},
+            "surface": {
+                "normal": normal.tolist(),
+                "offset_m": float(eye.stand.centre_m[2]),
+                "region": _region(scene, eye),
+            },
             "clock_offset_s": -eye.clock_s,
             "depth_correction": None,
             "quality": {},
@@ -41,7 +45,9 @@ def write_station(path: Path, scene: Scene) -> Path:
     return path
 
 
-def write_labels(path: Path, scene: Scene, *, per_fruit: int = 8, volumes: float = 1 / 3, with_fruit: bool = False) -> Path:
+def write_labels(
+    path: Path, scene: Scene, *, per_fruit: int = 8, volumes: float = 1 / 3, with_fruit: bool = False
+) -> Path:
     """Write what a careful operator would: some points on every fruit, the volume of each third one."""
     rng = np.random.default_rng([scene.seed, 6])
     measured = set(rng.permutation(len(scene.actors))[: round(volumes * len(scene.actors))].tolist())
@@ -52,7 +58,14 @@ def write_labels(path: Path, scene: Scene, *, per_fruit: int = 8, volumes: float
             time, eye = seen[number]
             pixel = project(eye.lens, eye.stand.inward(scene.centre_m(actor, time)[None]))[0]
             volume = f"{actor.thing.truth.volume_m3 * 1e6:.1f}" if place in measured else ""
-            row = [eye.name, f"{scene.stamp_s(eye, time):.6f}", f"{pixel[0]:.1f}", f"{pixel[1]:.1f}", actor.thing.kind, volume]
+            row = [
+                eye.name,
+                f"{scene.stamp_s(eye, time):.6f}",
+                f"{pixel[0]:.1f}",
+                f"{pixel[1]:.1f}",
+                actor.thing.kind,
+                volume,
+            ]
             rows.append([*row, f"f{actor.number}"] if with_fruit else row)
     with path.open("w", newline="") as sink:
         writer = csv.writer(sink)
