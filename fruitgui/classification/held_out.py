@@ -19,9 +19,6 @@ FOLDS = 5
 LIGHTS = 3
 """In how many other lights, or beside how many neighbours, each held-out fruit is judged."""
 
-_MET = 0.8
-"""How far held-out fruit are moved, as a share of what must be borne: all changes seldom come at once."""
-
 STRENGTHS = (3.0, 8.0, 24.0, 100.0)
 """Candidates for the strength of the pooled spread: from each kind its own to all alike."""
 
@@ -125,7 +122,7 @@ def hold_out(
 
 def _moves(fruit: FruitSet, random: np.random.Generator) -> F64:
     changes = borne_changes(fruit.names)
-    return np.asarray(_MET * random.standard_normal((LIGHTS, len(changes))) @ changes)
+    return np.asarray(random.standard_normal((LIGHTS, len(changes))) @ changes)
 
 
 def _judged(core: Core, fruit: FruitSet, row: int, moves: F64) -> tuple[Scores, ...]:

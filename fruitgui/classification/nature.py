@@ -60,8 +60,8 @@ CHANGES: tuple[dict[str, float], ...] = (
     {"chroma_hue_sine": 0.006},
     {"chroma_red_mean": 0.004},
     {"chroma_green_mean": 0.004},
-    {"chroma_reddish_share": 0.02},
-    {"chroma_greenish_share": 0.02},
+    {"chroma_reddish_share": 0.3},  # shares beyond a fixed colour: a skin near that colour is on either side of it
+    {"chroma_greenish_share": 0.4},
     {"size_length": 0.04, "size_width": 0.04, "size_root_area": 0.04, "shape_height_to_root_area": -0.03},  # fat edges
     {"size_height": 0.03, "height_m": 0.03, "shape_height_to_width": 0.03, "shape_height_to_root_area": 0.03},
     {"volume_m3": 0.06, "length_m": 0.02, "diameter_m": 0.02, "perimeter_m": 0.02},  # a fit with a side unseen
