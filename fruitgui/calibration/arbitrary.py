@@ -194,5 +194,3 @@ def _judged(source: Scan, target: Scan, pose: Pose) -> tuple[float, float, float
     normals = pose.turn(source.normals)[met]
     information = float(np.linalg.eigvalsh(normals.T @ normals / max(len(normals), 1))[0]) if met.any() else 0.0
     return float(met.mean()), float(through.sum() / max(known.sum(), 1)), information
-
-

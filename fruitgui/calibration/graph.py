@@ -187,9 +187,7 @@ def _solved(reference: str, edges: Sequence[Edge]) -> tuple[dict[str, Shift], di
     return places, {reference: np.zeros((3, 3)), **covariances}
 
 
-def _linearised(
-    edge: Edge, places: dict[str, Shift], column: dict[str, int], free: int
-) -> tuple[F64, F64, F64]:
+def _linearised(edge: Edge, places: dict[str, Shift], column: dict[str, int], free: int) -> tuple[F64, F64, F64]:
     """Return the Jacobian (3, 3·free) of an edge's misclosure by small motions of the places, the misclosure, and Ω.
 
     A motion (d, dθ) of the source's place about the reference's origin shows in the target's frame as

@@ -86,7 +86,13 @@ def register(source: Ready, target: Ready) -> Registration:
     best, covariance = _held_by_lines(source, target, best)
     covariance = about_origin(covariance, best.fit.matched.centre_m)
     return Registration(
-        source.relief.sensor, target.relief.sensor, None, "", best, start, covariance,
+        source.relief.sensor,
+        target.relief.sensor,
+        None,
+        "",
+        best,
+        start,
+        covariance,
         _quality(source, target, ranked, accepted=True),
     )
 
@@ -208,7 +214,13 @@ def _refused(
 ) -> Registration:
     best, start = ranked[0] if ranked else (None, None)
     return Registration(
-        source.relief.sensor, target.relief.sensor, code, what, best, start, None,
+        source.relief.sensor,
+        target.relief.sensor,
+        code,
+        what,
+        best,
+        start,
+        None,
         _quality(source, target, ranked, accepted=False),
     )
 

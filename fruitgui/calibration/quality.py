@@ -57,9 +57,7 @@ def belt_gap_m(sensor: str, rig: Rig, reliefs: Mapping[str, Relief], cell_m: flo
     return float(np.sqrt(np.mean(squares))) if squares else None
 
 
-def _belt_patches(
-    sensor: str, rig: Rig, reliefs: Mapping[str, Relief], cell_m: float
-) -> dict[tuple[int, int], float]:
+def _belt_patches(sensor: str, rig: Rig, reliefs: Mapping[str, Relief], cell_m: float) -> dict[tuple[int, int], float]:
     """Return the mean height over the reference's belt plane of each patch of belt that a sensor sees."""
     relief = reliefs[sensor]
     belt = relief.background_m[np.abs(relief.background_m[:, 2]) < 0.012]

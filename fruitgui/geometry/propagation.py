@@ -55,7 +55,7 @@ class Link:
 
 def stacked(point: F64) -> F64:
     """Return X̂_r = I₃ ⊗ x̂ᵀ, (3, 9): Δ_R x̂ = X̂_r vec(Δ_R), entries row by row (equation 4)."""
-    return np.kron(np.eye(3), np.asarray(point, dtype=np.float64)[None, :])
+    return np.asarray(np.kron(np.eye(3), np.asarray(point)[None, :]), dtype=np.float64)
 
 
 def rotation_entry_jacobian(rotation: F64) -> F64:

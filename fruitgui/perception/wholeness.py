@@ -76,9 +76,7 @@ def _at_the_region(places: Places, solid: U8, depth_mm: U16, limits: DepthLimits
     return np.asarray(sound & (limits.inside_m(points) < limits.inset_m + 2.0 * limits.belt_z_m / limits.focal_px))
 
 
-def _hidden(
-    places: Places, owner: Ints, boxes: Places, labels: U8, depth: U16, jump_m: float
-) -> Bools:
+def _hidden(places: Places, owner: Ints, boxes: Places, labels: U8, depth: U16, jump_m: float) -> Bools:
     """Tell at which places something else that stands on the belt lies beyond the outline, and nearer."""
     hidden = np.zeros(len(places), dtype=bool)
     near = np.flatnonzero(_crowded(boxes).take(owner))

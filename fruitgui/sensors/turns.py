@@ -70,9 +70,7 @@ class Schedule:
         return max(seen_length_m, 0.0) / (views * self.cycle_s)
 
 
-def turns(
-    sensors: Sequence[str], overlaps: Iterable[Collection[str]] | None, period_s: float
-) -> Schedule:
+def turns(sensors: Sequence[str], overlaps: Iterable[Collection[str]] | None, period_s: float) -> Schedule:
     """Plan the turns: sensors that overlap never share a slot, and there are as few slots as greedy colouring finds.
 
     Colouring goes by the sensor with the most taken slots around it, then by

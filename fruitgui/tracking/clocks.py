@@ -80,9 +80,7 @@ def estimate_clock_offsets(
         return {sensor: _reference() if sensor == rig.reference else UNDECIDED for sensor in sensors}
     tracks = {sensor: _followed(observations, sensor, rig, belt) for sensor in sensors}
     return {
-        sensor: _reference()
-        if sensor == rig.reference
-        else _offset(tracks[sensor], tracks[rig.reference], rig, belt)
+        sensor: _reference() if sensor == rig.reference else _offset(tracks[sensor], tracks[rig.reference], rig, belt)
         for sensor in sensors
     }
 

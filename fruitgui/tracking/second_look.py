@@ -164,9 +164,7 @@ class WiderLook:
         only = (allowed.sum(axis=0, keepdims=True) == 1) & (allowed.sum(axis=1, keepdims=True) == 1)
         pairs = _closest(apart, allowed & only)
         strayed = tuple(int(tracks[i]) for i, _ in pairs)
-        return replace(
-            claims.with_pairs(strayed, [int(views[j]) for _, j in pairs]), strayed=claims.strayed + strayed
-        )
+        return replace(claims.with_pairs(strayed, [int(views[j]) for _, j in pairs]), strayed=claims.strayed + strayed)
 
     @staticmethod
     def _may_roll(track: int, position_m: F64, trails: Sequence[Trail], seen: Measured) -> bool:

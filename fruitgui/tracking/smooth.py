@@ -38,9 +38,7 @@ def smoothed_path(entries: Sequence[Entry], rig: Rig, settings: TrackerSettings)
     covariance = K - K @ cho_solve(factor, K)
     blocks = covariance.reshape(m, 3, m, 3)[np.arange(m), :, np.arange(m)]
     points = mean.reshape(m, 3)
-    return tuple(
-        PathPoint(entry.time_s, points[i], 0.5 * (blocks[i] + blocks[i].T)) for i, entry in enumerate(entries)
-    )
+    return tuple(PathPoint(entry.time_s, points[i], 0.5 * (blocks[i] + blocks[i].T)) for i, entry in enumerate(entries))
 
 
 def _slip_covariance(time_s: F64, settings: TrackerSettings) -> F64:

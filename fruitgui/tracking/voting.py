@@ -27,9 +27,7 @@ class CommonShift:
     votes: float
 
 
-def common_shift(
-    residual_m: F64, std_m: F64, likeness: F64, admissible: Bools, bonus: F64
-) -> CommonShift | None:
+def common_shift(residual_m: F64, std_m: F64, likeness: F64, admissible: Bools, bonus: F64) -> CommonShift | None:
     """Return the shift on which most views agree, each with one track; None where no pair is admissible.
 
     Args:

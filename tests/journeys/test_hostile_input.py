@@ -313,8 +313,21 @@ def test_a_station_of_other_sensors_is_refused_and_one_with_some_of_them_warned_
 # ------------------------------------------------------------------ models
 
 
-MODELS = ("empty", "text", "cut", "empty_zip", "version_of_tomorrow", "pickle_inside", "nan_weights", 
-          "array_shape_lies", "array_is_text", "array_missing", "manifest_not_json", "manifest_list", "flipped_bits")  # fmt: skip
+MODELS = (
+    "empty",
+    "text",
+    "cut",
+    "empty_zip",
+    "version_of_tomorrow",
+    "pickle_inside",
+    "nan_weights",
+    "array_shape_lies",
+    "array_is_text",
+    "array_missing",
+    "manifest_not_json",
+    "manifest_list",
+    "flipped_bits",
+)
 
 
 @pytest.mark.parametrize("name", MODELS)

@@ -189,9 +189,7 @@ def _warnings(path: Path, faults: Sequence[UnusableSensorError], unstamped: Sequ
     return told
 
 
-def _wanted_sensors(
-    path: Path, found: Mapping[str, SensorTopics], wanted: Collection[str]
-) -> dict[str, SensorTopics]:
+def _wanted_sensors(path: Path, found: Mapping[str, SensorTopics], wanted: Collection[str]) -> dict[str, SensorTopics]:
     if not found:
         raise InputError(
             "no_sensor",
@@ -212,9 +210,7 @@ def _wanted_sensors(
     return dict(sorted(chosen.items()))
 
 
-def _decoders(
-    found: Mapping[str, SensorTopics], seen: Survey
-) -> tuple[dict[str, Decoder], list[UnusableSensorError]]:
+def _decoders(found: Mapping[str, SensorTopics], seen: Survey) -> tuple[dict[str, Decoder], list[UnusableSensorError]]:
     decoders, faults = {}, []
     for sensor, topics in found.items():
         try:
@@ -234,5 +230,3 @@ def _info(decoder: Decoder, topics: SensorTopics, container: Container, seen: Su
         decoder.intrinsics,
         seen.rate_hz(topics.depth),
     )
-
-

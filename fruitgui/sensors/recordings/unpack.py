@@ -95,7 +95,7 @@ def _zstd_pieces(source: Part | bytes, size: int) -> Iterator[bytes]:
 
 def _lz4_decompressor() -> Any:  # noqa: ANN401 - lz4 has no stubs
     try:
-        import lz4.frame  # type: ignore[import-untyped]
+        import lz4.frame
     except ImportError as error:
         raise MalformedError("a chunk is packed with lz4, which is not installed") from error
     return lz4.frame.LZ4FrameDecompressor()

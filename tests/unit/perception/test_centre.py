@@ -45,9 +45,7 @@ def test_opposed_sensors_agree_on_the_centre_but_not_on_the_mean_of_the_points()
     """Turned by half a turn about the belt's normal, each sees the other's hidden half."""
     table = scattered(5, 1.0, 0.7)
     middle = np.mean([[ball.x_m, ball.y_m] for ball in table.balls], axis=0)
-    turned = Table(
-        tuple(Ball(*(2 * middle - [b.x_m, b.y_m]), b.radius_m) for b in table.balls), 1.0, 0.7, seed=6
-    )
+    turned = Table(tuple(Ball(*(2 * middle - [b.x_m, b.y_m]), b.radius_m) for b in table.balls), 1.0, 0.7, seed=6)
     to_belt = table.plane().frame()
     there = {nearest(turned, view): view for view in views(turned)}
     centre_gaps, mean_gaps = [], []

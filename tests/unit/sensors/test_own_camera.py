@@ -112,9 +112,7 @@ def test_registered_depth_goes_before_depth_of_its_own_camera(tmp_path: Path) ->
     np.testing.assert_array_equal(next(open_recording(path).frames())[1].depth_mm, ros.depth(1.0))
 
 
-@given(
-    turn=st.tuples(*[st.floats(-3, 3)] * 3), shift=st.tuples(*[st.floats(-5, 5)] * 3), scale=st.floats(0.6, 1.9)
-)
+@given(turn=st.tuples(*[st.floats(-3, 3)] * 3), shift=st.tuples(*[st.floats(-5, 5)] * 3), scale=st.floats(0.6, 1.9))
 def test_a_quaternion_of_any_length_is_its_rotation(
     turn: tuple[float, float, float], shift: tuple[float, float, float], scale: float
 ) -> None:
