@@ -70,7 +70,7 @@ class Rig:
     mounts: Mapping[str, Mount]
 
     def belt(self) -> Plane:
-        """Return the belt's plane in the reference frame, as the reference sensor sees it; another where it is absent."""
+        """Return the belt's plane in the reference frame, as the reference sensor (or, without it, another) sees it."""
         mount = self.mounts.get(self.reference)
         if mount is not None:
             return mount.surface.plane

@@ -314,20 +314,9 @@ def test_a_station_of_other_sensors_is_refused_and_one_with_some_of_them_warned_
 
 
 MODELS = (
-    "empty",
-    "text",
-    "cut",
-    "empty_zip",
-    "version_of_tomorrow",
-    "pickle_inside",
-    "nan_weights",
-    "array_shape_lies",
-    "array_is_text",
-    "array_missing",
-    "manifest_not_json",
-    "manifest_list",
-    "flipped_bits",
-)
+    "empty", "text", "cut", "empty_zip", "version_of_tomorrow", "pickle_inside", "nan_weights", "array_shape_lies",
+    "array_is_text", "array_missing", "manifest_not_json", "manifest_list", "flipped_bits",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("name", MODELS)
