@@ -106,7 +106,7 @@ def evidence(track: Track, size: Size) -> Evidence:
     clean = [view for view in views if view.whole and not view.shared]
     chosen = clean if len(clean) >= LEAST_CLEAN_VIEWS else views
     features: F32 = np.stack([view.features for view in chosen]).astype(np.float32)
-    return Evidence(features, _fruit_features(track, size))
+    return Evidence(features, _fruit_features(track, size), alone=len(clean) >= LEAST_CLEAN_VIEWS)
 
 
 def _fruit_features(track: Track, size: Size) -> F64:

@@ -97,9 +97,7 @@ class Majority:
             return trail.views >= 0.15 * trail.expected
         if not crossed:
             return False
-        often = trail.views >= 0.3 * trail.expected
-        few_possible = trail.expected <= least + 1 and trail.clear >= least - 1
-        return often and (trail.clear >= least or few_possible)
+        return trail.views >= 0.3 * trail.expected and trail.clear >= least
 
 
 def _pair_under(trail: Trail, others: list[Trail]) -> Trail | None:

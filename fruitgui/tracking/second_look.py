@@ -19,6 +19,9 @@ LOOSE_SHARE = 0.55
 """A view whose centre lies within this share of a fruit's size from it is that fruit, badly seen: two solid
 bodies cannot come closer than about a whole size."""
 
+SHOWN_APART = 2
+"""Frames that must have shown two tracks as two views before one view may be taken for both."""
+
 ROLLING_M_S = 0.7
 ROLLING_S = 0.6
 ENTRY_M = 0.15
@@ -107,6 +110,7 @@ class WiderLook:
                 continue
             near = self._near(claims.seen.position_m[view], position_m, missing | ({own} if own is not None else set()))
             covered = self._covered(claims.seen, view, position_m, near, trails) if len(near) > 1 else []
+            covered = _known_apart(covered, trails)
             if len(covered) > 1 and (own is None or own in covered):
                 merged.append(tuple(covered))
                 covering.append(view)
@@ -181,6 +185,15 @@ class WiderLook:
             return inside
         apart = np.linalg.norm(claims.seen.position_m[views][:, None] - claimed[None], axis=2).min(axis=1)
         return np.asarray(inside & (apart > claims.seen.size_m[views]))
+
+
+def _known_apart(tracks: Sequence[int], trails: Sequence[Trail]) -> list[int]:
+    """Return those of the tracks that frames showed beside another of them: not halves of one cut at the edge."""
+    return [
+        track
+        for track in tracks
+        if any(trails[track].shown_beside(trails[other]) >= SHOWN_APART for other in tracks if other != track)
+    ]
 
 
 def _closest(apart: F64, allowed: Bools) -> list[tuple[int, int]]:

@@ -113,6 +113,13 @@ class Trail:
         """Return the record with another track, begun if there is none."""
         return self.company.setdefault(other, Company())
 
+    def shown_beside(self, other: Trail) -> int:
+        """Return how many frames showed this track and the other as two views."""
+        return max(
+            self.company.get(other.number, Company()).both,
+            other.company.get(self.number, Company()).both,
+        )
+
     def absorb(self, other: Trail, most: int) -> None:
         """Take over the sightings of a track that turned out to be this fruit."""
         frames = {(entry.view.sensor, entry.view.sequence) for entry in self.entries}
