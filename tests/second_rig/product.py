@@ -13,6 +13,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+_MARK = "\npeak-kB "
+# The kernel counts the parent's memory in what wait4 tells; the process's own account does not.
+_WATCHED = f"""
+import sys
+from pathlib import Path
+from fruitgui.cli import main
+code = main(sys.argv[1:])
+own = Path("/proc/self/status")
+lines = own.read_text().splitlines() if own.exists() else []
+peak = [line.split()[1] for line in lines if line.startswith("VmHWM")]
+sys.stderr.write({_MARK!r} + (peak[0] if peak else "0"))
+sys.exit(code)
+"""
+
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
@@ -34,7 +48,7 @@ class Outcome:
 
 def fruitgui(*arguments: str | Path, cwd: Path | None = None, timeout_s: float = 1200.0) -> Outcome:
     """Run a command with `--json`."""
-    command = [sys.executable, "-m", "fruitgui", *map(str, arguments), "--json"]
+    command = [sys.executable, "-c", _WATCHED, *map(str, arguments), "--json"]
     environment = os.environ | {"PYTHONPATH": str(Path(__file__).resolve().parents[2])}
     began = time.monotonic()
     with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as err:
@@ -47,9 +61,11 @@ def fruitgui(*arguments: str | Path, cwd: Path | None = None, timeout_s: float =
         process.returncode = os.waitstatus_to_exitcode(status)
         out.seek(0)
         err.seek(0)
-        said, told = out.read(), err.read()
+        said, (told, _, peak_kb) = out.read(), err.read().rpartition(_MARK)
+        # A process that was killed or broke says nothing of its memory.
+        told, peak_kb = (told, peak_kb) if peak_kb.isdigit() else (told + peak_kb, "0")
     return Outcome(process.returncode, _object(said), said, told, time.monotonic() - began,
-                   used.ru_utime + used.ru_stime, used.ru_maxrss / 1024.0)  # fmt: skip
+                   used.ru_utime + used.ru_stime, int(peak_kb or 0) / 1024.0)  # fmt: skip
 
 
 def require(outcome: Outcome, *codes: int) -> dict[str, Any]:
