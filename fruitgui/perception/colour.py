@@ -124,13 +124,14 @@ class _Inner:
 
     def __init__(self, owner: Ints, fruit: int, rgb: U8, beside: U8) -> None:
         self._owner, self._fruit = owner, fruit
-        self._red, self._green, self._blue = (np.ascontiguousarray(rgb[:, k]) for k in range(3))
-        self._beside = beside
+        red, green, blue = rgb.T.astype(np.intp)
+        self._levels: F32 = np.ascontiguousarray(rgb.T, dtype=np.float32)
+        self._log_beside = LOGARITHM.take(beside)
         self._counts = np.bincount(owner, minlength=fruit)
         self._starts = np.concatenate([[0], np.cumsum(self._counts)[:-1]]).astype(np.intp)
-        self._log_green = LOGARITHM.take(self._green)
-        self._red_green = LOGARITHM.take(self._red) - self._log_green
-        self._blue_green = LOGARITHM.take(self._blue) - self._log_green
+        self._log_green = LOGARITHM.take(green)
+        self._red_green = LOGARITHM.take(red) - self._log_green
+        self._blue_green = LOGARITHM.take(blue) - self._log_green
 
     def _means(self, *values: F32) -> F64:
         return grouped_sums(self._starts, self._counts, *values) / np.maximum(self._counts, 1)
@@ -158,7 +159,7 @@ class _Inner:
 
     def _chromaticity(self) -> list[F64]:
         """Return shares of red and green with their spread, the mean hue as a vector, and saturation."""
-        red, green, blue = (channel.astype(np.float32) for channel in (self._red, self._green, self._blue))
+        red, green, blue = self._levels
         scale = np.float32(1.0) / (red + green + blue + np.float32(3.0 * DARK_LEVEL))
         r, g = (red + np.float32(DARK_LEVEL)) * scale, (green + np.float32(DARK_LEVEL)) * scale
         cosine, sine = (red - (green + blue) * np.float32(0.5)) * scale, (green - blue) * (np.float32(0.866) * scale)
@@ -172,8 +173,8 @@ class _Inner:
 
     def _texture(self, value: F64) -> list[F64]:
         """Return how uneven brightness is, over the fruit and from pixel to pixel, beside its own mean."""
-        green = self._green.astype(np.float32)
-        step = np.minimum(np.abs(LOGARITHM.take(self._beside) - self._log_green), np.float32(0.7))
+        green = self._levels[1]
+        step = np.minimum(np.abs(self._log_beside - self._log_green), np.float32(0.7))
         shiny = (self._log_green > (value[:, 1] + 0.5).astype(np.float32).take(self._owner)).astype(np.float32)
         mean, square, step_mean, shiny_mean = self._means(green, green * green, step, shiny)
         spread = _spread(mean, square) / (mean + DARK_LEVEL)

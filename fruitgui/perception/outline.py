@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from fruitgui.frame import F64, Bools, Ints
+from fruitgui.frame import F64, Ints
 
 Contour = NDArray[np.int32]
 """An outline as OpenCV gives it: (K, 1, 2), closed, u and v."""
@@ -35,10 +36,6 @@ class Outlines:
         """Return the smallest and largest u and v of each outline, (N, 4): left, top, right, bottom."""
         low = np.minimum.reduceat(self.places, self.starts, axis=0)
         return np.hstack([low, np.maximum.reduceat(self.places, self.starts, axis=0)])
-
-    def sums(self, values: F64 | Bools) -> F64:
-        """Return the sum of values (M,) over each outline, (N,)."""
-        return np.asarray(np.bincount(self.owner, weights=values, minlength=len(self.counts)))
 
 
 def joined(contours: tuple[Contour, ...]) -> Outlines:
@@ -86,27 +83,29 @@ def fit_ellipses(outlines: Outlines) -> Ellipses:
 
 def _ellipse_row(contour: Contour) -> tuple[float, ...]:
     (u, v), (first, second), degrees = cv2.fitEllipseDirect(contour)
-    if not np.isfinite(first + second + u + v) or min(first, second) <= 0.0:
+    if not math.isfinite(first + second + u + v) or min(first, second) <= 0.0:
         (u, v), (first, second), degrees = cv2.minAreaRect(contour)
     if second > first:
         first, second, degrees = second, first, degrees + 90.0
     hull = cv2.contourArea(cv2.convexHull(contour))
-    return u, v, first, second, float(np.deg2rad(degrees)), cv2.contourArea(contour), hull
+    return u, v, first, second, math.radians(degrees), cv2.contourArea(contour), hull
 
 
 def _errors(outlines: Outlines, centre: F64, axes: F64, angle: F64) -> tuple[F64, F64]:
     """Return rms of (distance from the centre / ellipse's radius in that direction − 1), and its mean at the tips."""
-    owner = outlines.owner
-    u, v = (outlines.places - centre.take(owner, axis=0)).T
-    turn = np.stack([np.cos(angle), np.sin(angle)]) * 2.0
-    along_u, along_v = (turn / axes[:, 0]).take(owner, axis=1)
-    across_v, across_u = (turn / axes[:, 1]).take(owner, axis=1)
+    u, v = outlines.places.T
+    cosine, sine = np.cos(angle) * 2.0, np.sin(angle) * 2.0
+    to_axes = np.array([cosine / axes[:, 0], sine / axes[:, 0], cosine / axes[:, 1], sine / axes[:, 1], *centre.T])
+    along_u, along_v, across_v, across_u, middle_u, middle_v = np.repeat(to_axes, outlines.counts, axis=1)
+    u, v = u - middle_u, v - middle_v
     along, across = u * along_u + v * along_v, v * across_v - u * across_u
     distance = np.sqrt(along * along + across * across)
     deviation = distance - 1.0
     tip = (np.abs(along) > 0.92 * distance).astype(np.float64)
-    error = np.sqrt(outlines.sums(deviation * deviation) / outlines.counts)
-    return error, outlines.sums(deviation * tip) / np.maximum(outlines.sums(tip), 1.0)
+    square, tip_deviation, tips = np.add.reduceat(
+        np.stack([deviation * deviation, deviation * tip, tip]), outlines.starts, axis=1
+    )
+    return np.sqrt(square / outlines.counts), tip_deviation / np.maximum(tips, 1.0)
 
 
 def ellipse_error(contour: Contour) -> float:

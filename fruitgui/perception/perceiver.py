@@ -19,7 +19,7 @@ from fruitgui.perception.settings import PerceptionSettings
 from fruitgui.perception.split import HeightSplitter, Parts, Splitter
 from fruitgui.perception.view import FruitView, Observation
 from fruitgui.perception.views import Seen, build_views
-from fruitgui.perception.wholeness import seen_whole
+from fruitgui.perception.wholeness import Places, seen_whole
 
 
 class Perceiver:
@@ -80,7 +80,8 @@ class Perceiver:
     def _views(self, frame: Frame, depth_mm: U16, color: U8, solid: U8, parts: Parts) -> tuple[FruitView, ...]:
         limits, settings = self._limits, self._settings
         outlines = joined(parts.contours)
-        pixels = gather_pixels(parts.labels, solid, edge_distance(parts), depth_mm, limits, len(parts.contours))
+        boxes = outlines.boxes()
+        pixels = gather_pixels(parts.labels, solid, edge_distance(parts, boxes), depth_mm, limits, len(parts.contours))
         whole = seen_whole(outlines, parts.labels, solid, depth_mm, limits, self._jump_m)
         ellipses = fit_ellipses(outlines)
         rough_m = ellipses.axes_px[:, 0] * (limits.belt_z_m / limits.focal_px)
@@ -110,10 +111,21 @@ class Perceiver:
         )
 
 
-def edge_distance(parts: Parts) -> F32:
-    """Return the distance of every pixel from the edge of its fruit; where two fruit touch is an edge too."""
+def edge_distance(parts: Parts, boxes: Places) -> F32:
+    """Return the distance of every pixel from the edge of its fruit; where two fruit touch is an edge too.
+
+    Args:
+        parts: the fruit.
+        boxes: (N, 4) left, top, right, bottom of their outlines.
+    """
     inside = cv2.compare(parts.labels, 0, cv2.CMP_GT)
     touching = [contour for contour, shared in zip(parts.contours, parts.shared.tolist(), strict=True) if shared]
     if touching:
         cv2.drawContours(inside, touching, -1, 0, 1)
-    return np.asarray(cv2.distanceTransform(inside, cv2.DIST_L2, 3))
+    distance = np.zeros(inside.shape, np.float32)
+    # The nearest edge of a fruit's pixel is within its box; its neighbours' pixels there may have a nearer one.
+    for number, (left, top, right, bottom) in enumerate(boxes.tolist()):
+        box = slice(max(top - 1, 0), bottom + 2), slice(max(left - 1, 0), right + 2)
+        mine = cv2.compare(parts.labels[box], number + 1, cv2.CMP_EQ)
+        cv2.copyTo(cv2.distanceTransform(inside[box], cv2.DIST_L2, 3), mine, distance[box])
+    return distance

@@ -71,8 +71,11 @@ def grouped_sums(starts: Ints, counts: Ints, *values: F32) -> F64:
     if length == 0:
         return np.zeros((len(values), len(starts)) if len(values) > 1 else len(starts))
     first = np.minimum(starts, length - 1)
-    totals = np.array([np.add.reduceat(value, first) for value in values], dtype=np.float64)
-    totals[:, counts == 0] = 0.0
+    totals = np.empty((len(values), len(starts)))
+    for total, value in zip(totals, values, strict=True):
+        total[:] = np.add.reduceat(value, first)
+    if not counts.all():
+        totals[:, counts == 0] = 0.0
     return totals if len(values) > 1 else np.asarray(totals[0])
 
 
@@ -82,19 +85,16 @@ def grouped_quantiles(
     """Return quantiles (N, len(at)) of values (P,) in each group, interpolated within the bins of a histogram."""
     low, high = limits
     scaled = (values - np.float32(low)) * np.float32(BINS / (high - low))
-    bins = np.clip(scaled, 0, BINS - 1).astype(np.intp)
+    bins = np.minimum(np.maximum(scaled, np.float32(0.0)), np.float32(BINS - 1)).astype(np.intp)
     bins += owner * BINS
-    table = np.bincount(bins, weights=weights, minlength=groups * BINS).reshape(groups, BINS)
-    rising = np.cumsum(table, axis=1)
+    table = np.bincount(bins, weights=weights, minlength=groups * BINS)
+    rising = table.reshape(groups, BINS).cumsum(axis=1)
     total = np.maximum(rising[:, -1], 1e-12)
-    rows = np.arange(groups)
-    found = []
-    for part in at:
-        wanted = part * total
-        place = np.minimum((rising < wanted[:, None]).sum(axis=1), BINS - 1)
-        inside = np.maximum(table[rows, place], 1e-12)
-        found.append(place + 1.0 - (rising[rows, place] - wanted) / inside)
-    return low + np.stack(found, axis=1) * ((high - low) / BINS)
+    wanted = total[:, None] * np.array(at)
+    place = np.minimum((rising[:, None, :] < wanted[:, :, None]).sum(axis=2), BINS - 1)
+    index = place + np.arange(groups)[:, None] * BINS
+    found = place + 1.0 - (rising.reshape(-1).take(index) - wanted) / np.maximum(table.take(index), 1e-12)
+    return np.asarray(low + found * ((high - low) / BINS))
 
 
 def gather_pixels(labels: U8, solid: U8, edge_px: F32, depth_mm: U16, limits: DepthLimits, fruit: int) -> Pixels:

@@ -72,9 +72,15 @@ def with_parts(groups: Groups, cuts: dict[int, list[Contour]]) -> Parts:
     for number, contour in enumerate(groups.contours):
         found.extend((number, number in cuts, part) for part in cuts.get(number, [contour]))
     found = found[:MOST_GROUPS]
-    labels = np.zeros_like(groups.labels)
-    for place, (_, _, contour) in enumerate(found):
-        cv2.drawContours(labels, [contour], 0, place + 1, cv2.FILLED)
+    # What was not cut only gets another number; of what was cut nothing is left but what is drawn.
+    numbers = np.zeros(256, np.uint8)
+    numbers[[number + 1 for number, shared, _ in found if not shared]] = [
+        place + 1 for place, (_, shared, _) in enumerate(found) if not shared
+    ]
+    labels = cv2.LUT(groups.labels, numbers)
+    for place, (_, shared, contour) in enumerate(found):
+        if shared:
+            cv2.drawContours(labels, [contour], 0, place + 1, cv2.FILLED)
     contours = tuple(contour for _, _, contour in found)
     origin = np.array([number for number, _, _ in found], dtype=np.intp)
     return Parts(labels, contours, origin, np.array([shared for _, shared, _ in found], dtype=bool))
@@ -118,6 +124,7 @@ class HeightSplitter:
         self._slope = np.ascontiguousarray(limits.slope[:: self._scale, :: self._scale])
         reach = int(np.clip(round(0.3 * smallest_px / self._scale), 1, 6))
         self._window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
+        self._cross = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
         belt_z = np.array(limits.belt_z_m)
         # A surface seen at 56° recedes by tan 56° = 1.5 pixels' width per pixel; the depth's own steps add to it.
         slope_m = 1.5 * self._scale * limits.belt_z_m / limits.focal_px
@@ -180,26 +187,25 @@ class HeightSplitter:
         s = self._scale
         solid = np.ascontiguousarray(groups.solid[::s, ::s])
         depth = cv2.copyTo(np.ascontiguousarray(depth_mm[self._limits.crop][::s, ::s]), solid)
-        moat = self._moats(depth, solid)
-        share = cv2.blur(solid.astype(np.float32), (3, 3))
-        z_mm = cv2.divide(cv2.blur(depth.astype(np.float32), (3, 3)), cv2.max(share, 1.0), scale=255.0)
-        relief = np.float32(self._limits.offset_m) - np.float32(1e-3) * (self._slope * z_mm + 2.0 * moat)
-        inside = cv2.bitwise_and(cv2.compare(labels, 0, cv2.CMP_GT), cv2.compare(share, 8.0, cv2.CMP_GT))
-        return np.asarray(cv2.copyTo(relief, inside), dtype=np.float32)
+        moat = self._moats(depth).astype(np.float32)
+        share = cv2.boxFilter(solid, cv2.CV_32F, (3, 3), normalize=False)
+        z_mm = cv2.divide(cv2.boxFilter(depth, cv2.CV_32F, (3, 3), normalize=False), cv2.max(share, 9.0), scale=255.0)
+        z_mm *= self._slope
+        moat *= np.float32(2.0)
+        z_mm += moat
+        z_mm *= np.float32(-1e-3)
+        z_mm += np.float32(self._limits.offset_m)
+        inside = cv2.bitwise_and(cv2.compare(labels, 0, cv2.CMP_GT), cv2.compare(share, 72.0, cv2.CMP_GT))
+        return np.asarray(cv2.copyTo(z_mm, inside), dtype=np.float32)
 
-    def _moats(self, depth: U16, solid: U8) -> U16:
+    def _moats(self, depth: U16) -> U16:
         """Return by how many millimetres what lies behind an edge is farther than a slope would make it, (h, w).
 
         Only the farther side of an edge is dug: the rim of a bowl stays a ridge.
         """
-        # Where nothing stands, nothing is in front: the largest number makes every difference 0.
-        in_front = cv2.bitwise_or(depth, cv2.compare(solid, 0, cv2.CMP_EQ).astype(np.uint16) * np.uint16(257))
-        behind = np.zeros_like(depth)
-        across = (slice(None), slice(1, None)), (slice(None), slice(-1))
-        down = (slice(1, None),), (slice(-1),)
-        for here, there in (across, across[::-1], down, down[::-1]):
-            cv2.max(behind[here], cv2.subtract(depth[here], in_front[there]), dst=behind[here])
-        return np.asarray(cv2.subtract(behind, self._allowed_mm))
+        # Where nothing stands (depth 0), nothing is in front: 0 − 1 is the largest number there is.
+        in_front = cv2.erode(depth - np.uint16(1), self._cross)
+        return np.asarray(cv2.subtract(cv2.subtract(depth, in_front), self._allowed_mm + 1))
 
     def _doubtful(self, relief: F32, wide_px: F32, tops: Tops) -> list[int]:
         """Return the groups that have a top from which no straight way leads to the group's highest without a dip."""
@@ -293,8 +299,8 @@ def find_tops(relief: F32, wide_px: F32, labels: U8, window: U8, most: int = 400
     """Return pixels that nothing within the window overtops, and the widest places within twice the window."""
     wide = np.ones((2 * window.shape[0] + 1, 2 * window.shape[1] + 1), np.uint8)
     summit = cv2.compare(relief, cv2.dilate(relief, window), cv2.CMP_GE)
-    widest = cv2.compare(wide_px, cv2.dilate(cv2.max(wide_px, 2.0), wide), cv2.CMP_GE)
-    inside = cv2.bitwise_and(cv2.compare(relief, 0.0, cv2.CMP_GT), cv2.compare(labels, 0, cv2.CMP_GT))
+    widest = cv2.compare(wide_px, cv2.max(cv2.dilate(wide_px, wide), 2.0), cv2.CMP_GE)
+    inside = cv2.compare(relief, 0.0, cv2.CMP_GT)
     found = cv2.findNonZero(cv2.bitwise_and(cv2.bitwise_or(summit, widest), inside))
     place = np.zeros((0, 2), np.intp) if found is None else found.reshape(-1, 2)[:, ::-1].astype(np.intp)
     if len(place) > most:

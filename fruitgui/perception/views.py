@@ -34,15 +34,16 @@ class Seen:
 def build_views(
     frame: Frame, color: U8, limits: DepthLimits, kept: list[int], max_points: int, seen: Seen
 ) -> tuple[FruitView, ...]:
-    """Return the views of those fruit whose numbers are `kept`."""
+    """Return the views of those fruit whose numbers are `kept`. They share arrays of what was seen of fruit."""
     corner = np.array([limits.crop[1].start, limits.crop[0].start], dtype=np.int32)
     outline_px = (seen.outlines.places + corner).astype(np.float32)
     boxes = (seen.outlines.boxes() + np.tile(corner, 2)).tolist()
     middles = (seen.ellipses.centre_px + corner).tolist()
+    areas = seen.ellipses.area_px.astype(np.intp).tolist()
     first, length = seen.outlines.starts.tolist(), seen.outlines.counts.tolist()
     tops, whole, shared = seen.centres.top_m.tolist(), seen.whole.tolist(), seen.parts.shared.tolist()
     points_m, edge_px, bounds = _points(seen.pixels)
-    centres, ellipses = seen.centres, seen.ellipses
+    centres = seen.centres
     views = []
     for n in kept:
         left, top, right, bottom = boxes[n]
@@ -53,16 +54,16 @@ def build_views(
                 sequence=frame.sequence,
                 time_s=frame.time_s,
                 box_px=(left, top, right - left + 1, bottom - top + 1),
-                outline_px=outline_px[first[n] : first[n] + length[n]].copy(),
-                points_m=points_m[sample].copy(),
-                edge_px=edge_px[sample].copy(),
-                area_px=int(ellipses.area_px[n]),
+                outline_px=outline_px[first[n] : first[n] + length[n]],
+                points_m=points_m[sample],
+                edge_px=edge_px[sample],
+                area_px=areas[n],
                 centre_m=centres.centre_m[n],
                 centre_covariance_m2=centres.centre_covariance_m2[n],
                 mean_m=centres.mean_m[n],
                 mean_covariance_m2=centres.mean_covariance_m2[n],
                 height_m=tops[n],
-                features=seen.features[n].copy(),
+                features=seen.features[n],
                 patch=patch_at(color, *middles[n]),
                 whole=whole[n],
                 shared=shared[n],
