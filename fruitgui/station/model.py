@@ -41,11 +41,17 @@ def write_model(path: Path, model: Model) -> None:
     settings, arrays = to_parts(model.kinds)
     manifest = {
         "schema": SCHEMA,
+        "kinds": [_kind_value(kind, model) for kind in model.kinds.kinds],
         "classifier": settings,
         "correction": model.correction.to_dict(),
         "trained_on": dict(model.trained_on),
     }
     write_archive(path, manifest, arrays)
+
+
+def _kind_value(kind: str, model: Model) -> dict[str, Any]:
+    density = model.correction.densities.get(kind)
+    return {"kind": kind, "density_kg_m3": None if density is None else density.value}
 
 
 def read_model(path: Path, names: FeatureNames) -> Model:
