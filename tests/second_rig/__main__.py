@@ -1,4 +1,4 @@
-"""`python -m tests.second_rig calibrate|line --seed N --cases … --work FOLDER`: the product's figures on this rig."""
+"""`python -m tests.second_rig calibrate|line|hostile --seed N --cases … --work FOLDER`: the figures on this rig."""
 
 from __future__ import annotations
 
@@ -14,6 +14,10 @@ from tests.second_rig.product import ProductFailedError
 def main() -> int:
     """Run the chosen trials and print tables."""
     options = _options()
+    if options.what == "hostile":
+        import pytest
+
+        return int(pytest.main([str(Path(__file__).parents[1] / "journeys" / "test_hostile_input.py"), "-q"]))
     folder = options.work or Path(tempfile.mkdtemp(prefix="second-rig-"))
     folder.mkdir(parents=True, exist_ok=True)
     return _calibrate(options, folder) if options.what == "calibrate" else _line(options, folder)
@@ -21,7 +25,7 @@ def main() -> int:
 
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m tests.second_rig")
-    parser.add_argument("what", choices=["calibrate", "line"])
+    parser.add_argument("what", choices=["calibrate", "line", "hostile"])
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--cases", default="", help="calibrate: how many placements; line: names, with commas")
     parser.add_argument("--work", type=Path, help="folder that keeps recordings between calls")
