@@ -94,7 +94,9 @@ def belt_colour(calm: U8, labels: U8, limits: DepthLimits, every: int = 8) -> Be
     logs = LOGARITHM[grid[bare[:rows, :columns]] if np.count_nonzero(bare) >= 16 else grid.reshape(-1, 3)]
     green = logs[:, 1]
     ratios = np.stack([logs[:, 0] - green, logs[:, 2] - green, green])
-    return BeltColour(*np.median(ratios, axis=1).tolist())
+    ratios.sort(axis=1)
+    below, above = ratios[:, (len(green) - 1) // 2], ratios[:, len(green) // 2]
+    return BeltColour(*(0.5 * (below + above)).tolist())
 
 
 def colour_features(pixels: Pixels, calm: U8, belt: BeltColour, limits: DepthLimits) -> F64:
@@ -155,7 +157,7 @@ class _Inner:
             value[:, 1],
             *self._texture(value),
         ]
-        return np.stack(columns, axis=1)
+        return np.array(columns).T
 
     def _chromaticity(self) -> list[F64]:
         """Return shares of red and green with their spread, the mean hue as a vector, and saturation."""

@@ -67,7 +67,7 @@ def shape_features(pixels: Pixels, ellipses: Ellipses, top_m: F64, away_m: F64, 
         np.minimum(residual / top_m, 1.0),
         *np.log(np.stack([top_m, length, width, root_area])),
     ]
-    return np.stack(columns, axis=1)
+    return np.array(columns).T
 
 
 def _lopsidedness(pixels: Pixels, ellipses: Ellipses, limits: DepthLimits) -> F64:
@@ -99,10 +99,10 @@ def fit_spheres(pixels: Pixels) -> tuple[F64, F64]:
     xx, xy, xz, yy, yz, zz, sx, sy, sz, ss, s = (
         pixels.sums(wx * x, wx * y, wx * z, wy * y, wy * z, wz * z, ws * x, ws * y, ws * z, ws * square, ws) / total
     )
-    matrix = np.stack([xx, xy, xz, xy, yy, yz, xz, yz, zz], axis=1).reshape(-1, 3, 3)
+    matrix = np.array([xx, xy, xz, xy, yy, yz, xz, yz, zz]).T.reshape(-1, 3, 3)
     # Relative to the points' mean the linear terms vanish, so the constant is the mean square.
-    right = np.stack([sx, sy, sz], axis=1)
-    ridge = 1e-4 * np.trace(matrix, axis1=1, axis2=2)[:, None, None] * np.eye(3) + 1e-12 * np.eye(3)
+    right = np.array([sx, sy, sz]).T
+    ridge = 1e-4 * (xx + yy + zz)[:, None, None] * np.eye(3) + 1e-12 * np.eye(3)
     centre = 0.5 * np.linalg.solve(matrix + ridge, right[:, :, None])[:, :, 0]
     radius = np.sqrt(np.maximum(s + (centre**2).sum(axis=1), 1e-8))
     left = ss - s**2 - 2.0 * (centre * right).sum(axis=1)
