@@ -30,6 +30,26 @@ def hypotheses(source: Relief, target: Relief) -> list[Shift]:
     return distinct(found, at_m, 0.02, np.radians(3.0))[: 2 * HYPOTHESES]
 
 
+def along_borders(source: Relief, target: Relief, heading_rad: float, most: int = 5) -> list[Shift]:
+    """Return shifts that turn by `heading_rad` or half a circle more and bring a top onto a top, best first.
+
+    Where straight borders tell the heading, one top decides the rest: this finds views that have only a few things in
+    common among many, which the other searches lose among chance meetings.
+    """
+    a, b = source.peaks_m, target.peaks_m
+    if not (len(a) and len(b)):
+        return []
+    i, k = np.nonzero(np.abs(a[:, 2][:, None] - b[:, 2]) < HEIGHT_TOLERANCE_M)
+    found = []
+    for heading in (wrapped(heading_rad), wrapped(heading_rad + np.pi)):
+        move = b[k, :2] - a[i, :2] @ Shift(0.0, 0.0, heading).rotation.T
+        shifts = np.column_stack([move, np.full(len(move), heading)])
+        order = np.argsort(-_convincing(shifts, source, target), kind="stable")[:60]
+        near = [Shift(float(x), float(y), heading) for x, y in move[order]]
+        found += distinct(near, a[:, :2], 0.02, np.radians(4.0))[:most]
+    return found
+
+
 def distinct(shifts: list[Shift], at_m: F64, apart_m: float, turned_rad: float) -> list[Shift]:
     """Drop every shift that differs from an earlier one by less than both bounds (rms over points (N, 2))."""
     if not shifts or not len(at_m):

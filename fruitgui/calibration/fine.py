@@ -100,6 +100,22 @@ def refine(source: Relief, target: Target, start: Shift, schedule_m: tuple[float
     return _fit(source, shift, final) if len(final.source) >= 30 else None
 
 
+def settle(source: Relief, target: Target, start: Shift, rounds: int = 8) -> Fit | None:
+    """Improve x and y of a shift whose heading is known; None where too few points meet to say anything."""
+    shift = start
+    for _ in range(rounds):
+        matched = match(source, target, shift, SCHEDULE_M[-1])
+        if len(matched.source) < 30:
+            return None
+        step = np.zeros(3)
+        step[:2] = _step(matched, free=2)
+        shift = shift.about(matched.centre_m, step)
+        if np.abs(step).max() < 2e-6:
+            break
+    final = match(source, target, shift, SCHEDULE_M[-1])
+    return _fit(source, shift, final) if len(final.source) >= 30 else None
+
+
 def match(source: Relief, target: Target, shift: Shift, reach_m: float) -> Matched:
     """Pair the source's points with the target's nearest ones under a shift."""
     mapped, normals = shift.apply(source.points_m), shift.turn(source.normals)
@@ -122,10 +138,10 @@ def match(source: Relief, target: Target, shift: Shift, reach_m: float) -> Match
     return Matched(found, near, residual, jacobian, weight, centre)
 
 
-def _step(matched: Matched) -> F64:
-    J, w = matched.jacobian, matched.weight
+def _step(matched: Matched, free: int = 3) -> F64:
+    J, w = matched.jacobian[:, :free], matched.weight
     H = (J * w[:, None]).T @ J
-    H += np.diag([1e-6, 1e-6, 1e-8]) * max(w.sum(), 1.0)
+    H += np.diag([1e-6, 1e-6, 1e-8][:free]) * max(w.sum(), 1.0)
     return np.asarray(-np.linalg.solve(H, (J * w[:, None]).T @ matched.residual_m))
 
 
@@ -137,27 +153,30 @@ def _fit(source: Relief, shift: Shift, matched: Matched) -> Fit:
     return Fit(shift, matched, names.astype(np.intp), bias, np.sqrt(square), np.bincount(thing).astype(np.intp))
 
 
-def covariance(source: Relief, fit: Fit) -> F64:
+def covariance(source: Relief, fit: Fit, *, turning: bool = True) -> F64:
     """Return the (3, 3) covariance of (x, y, θ about the matched points' centre), things as independent witnesses.
+
+    Of x and y alone, (2, 2), where the heading is known and not `turning`.
 
     Errors of neighbouring pixels are correlated (matching window, steps, the shape of the normals'
     window), so points of one thing count as one witness: H⁻¹ (Σ g gᵀ) H⁻¹ over things, with g the pull
     of a thing, enlarged for few things, and never less than what 1 mm of common error per thing gives.
     """
     matched = fit.matched
-    J, w, r = matched.jacobian, matched.weight, matched.residual_m
+    free = 3 if turning else 2
+    J, w, r = matched.jacobian[:, :free], matched.weight, matched.residual_m
     H = (J * w[:, None]).T @ J
     _, thing = np.unique(source.thing[matched.source], return_inverse=True)
     count = int(thing.max()) + 1
-    pulls = np.stack([np.bincount(thing, w * r * J[:, k], count) for k in range(3)], axis=1)
+    pulls = np.stack([np.bincount(thing, w * r * J[:, k], count) for k in range(free)], axis=1)
     shapes = np.einsum("ni,nj,n->nij", J, J, w)
-    expected = np.zeros((3, 3))
+    expected = np.zeros((free, free))
     for k in range(count):
         mine = thing == k
         lean = (J[mine] * w[mine, None]).sum(axis=0)
         expected += np.outer(lean, lean) + shapes[mine].sum(axis=0) * w[mine].sum() * 0.1
     H_inverse = np.linalg.pinv(H)
-    seen = pulls.T @ pulls * count / max(count - 3, 1)
+    seen = pulls.T @ pulls * count / max(count - free, 1)
     prior = expected * 0.0005**2
     blend = (count * seen + 6 * prior) / (count + 6)
     return np.asarray(H_inverse @ blend @ H_inverse)

@@ -6,11 +6,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from fruitgui.calibration import coarse, fine
+from fruitgui.calibration import borders, coarse, fine
+from fruitgui.calibration import lines as rails
 from fruitgui.calibration.evidence import Evidence, Sight, evidence
 from fruitgui.calibration.fine import Fit, Target
 from fruitgui.calibration.flat import Shift
-from fruitgui.calibration.lines import lines, turn_between
+from fruitgui.calibration.lines import Turn
 from fruitgui.calibration.relief import Relief
 from fruitgui.calibration.result import Code, PairQuality
 from fruitgui.frame import F64
@@ -33,7 +34,8 @@ class Ready:
         self.sight = Sight(relief)
         self.target = Target(relief)
         self.thin = _thinned(relief, 6)
-        self.lines = lines(relief)
+        self.lines = rails.lines(relief)
+        self.borders = borders.borders(relief)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -105,23 +107,39 @@ def about_origin(covariance: F64, centre_m: F64) -> F64:
 
 
 def _held_by_lines(source: Ready, target: Ready, best: Hypothesis) -> tuple[Hypothesis, F64]:
-    """Return the best fit with its heading corrected by rails that both see, and its covariance about its centre.
+    """Return the best fit with its heading settled by borders or rails that both see, and its covariance.
 
-    A line that contradicts the fruit by more than four standard deviations is not the same line.
+    The covariance is of (x, y, θ about the centre of what is matched). With the heading settled, the shift is
+    fitted anew: what the fruit's own heading erred would else stay in it. A line that contradicts the fruit by more
+    than four standard deviations is not the same line.
     """
     covariance = fine.covariance(source.relief, best.fit)
-    turn = turn_between(source.lines, target.lines, best.shift)
+    turn = _turn(source, target, best.shift)
     if turn is None or turn.turn_rad**2 > 16 * (covariance[2, 2] + turn.std_rad**2):
         return best, covariance
-    gain = covariance[:, 2] / (covariance[2, 2] + turn.std_rad**2)
-    shift = best.shift.about(best.fit.matched.centre_m, gain * turn.turn_rad)
-    held = replace(best, fit=replace(best.fit, shift=shift))
-    return held, np.asarray(covariance - np.outer(gain, covariance[2]))
+    share = covariance[2, 2] / (covariance[2, 2] + turn.std_rad**2)
+    turned = best.shift.about(best.fit.matched.centre_m, np.array([0.0, 0.0, share * turn.turn_rad]))
+    fit = fine.settle(source.relief, target.target, turned)
+    if fit is None:
+        return best, covariance
+    held = np.zeros((3, 3))
+    held[:2, :2] = fine.covariance(source.relief, fit, turning=False)[:2, :2]
+    held[2, 2] = (1.0 - share) * covariance[2, 2]
+    return replace(best, fit=fit), held
+
+
+def _turn(source: Ready, target: Ready, shift: Shift) -> Turn | None:
+    """Return what straight things say of a heading: borders in the colour pictures, else rails in the depth."""
+    seen = borders.turn_between(source.borders, target.borders, shift)
+    return rails.turn_between(source.lines, target.lines, shift) if seen is None else seen
 
 
 def _ranked(source: Ready, target: Ready) -> list[tuple[Hypothesis, Shift]]:
     """Return materially different hypotheses with where each started, most convincing first, the leaders refined."""
     starts = coarse.hypotheses(source.relief, target.relief)
+    heading = borders.heading_between(source.borders, target.borders)
+    if heading is not None:
+        starts += coarse.along_borders(source.relief, target.relief, heading)
     quick = _tried(source, target, starts, source.thin, QUICK_M)
     if not quick:
         return []
