@@ -247,11 +247,12 @@ def _share(used: Bools, points: int, area_px: F64) -> F64:
 
 
 def _evenly(length: int, count: int) -> Ints:
+    """Return `count` indices spread evenly over so many."""
     return np.asarray(((np.arange(count) + 0.5) * (length / count)).astype(np.intp))
 
 
 def _inner(view: FruitView, count: int) -> Ints:
     """Return the indices of at most `count` points of a view, away from its edge as far as its size allows."""
-    inner = np.flatnonzero(view.edge_px >= min(EDGE_PX, 0.45 * float(view.edge_px.max())))
+    inner = (view.edge_px >= min(EDGE_PX, 0.45 * float(view.edge_px.max()))).nonzero()[0]
     index = inner if len(inner) >= LEAST_POINTS else np.arange(len(view.points_m))
-    return index if len(index) <= count else index[_evenly(len(index), count)]
+    return index if len(index) <= count else index.take(_evenly(len(index), count))

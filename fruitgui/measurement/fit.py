@@ -19,6 +19,7 @@ import numpy as np
 from fruitgui.frame import F64
 from fruitgui.geometry.rotation import rotation_from_vector
 from fruitgui.measurement.evidence import Evidence
+from fruitgui.measurement.harmonics import Real
 from fruitgui.measurement.prior import Prior
 from fruitgui.measurement.residuals import Residuals, residuals
 from fruitgui.measurement.shape import SIX, Shape
@@ -134,31 +135,31 @@ def _stretched(shape: Shape, body: F64, stretch: F64, weights: F64) -> Shape:
 def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: Prior) -> _System:
     """Build the equations view by view over [shape, sensor], eliminate the view's own, add up over sensors."""
     J, local = seen.by_common, seen.by_view
-    count = J.shape[2] - PER_SENSOR
-    weight = seen.weight[..., None].astype(np.float32)
-    pull = (seen.weight * seen.distance)[..., None].astype(np.float32)
-    weighted = (J * weight).transpose(0, 2, 1)
-    coupling = np.matmul(weighted, local).astype(np.float64)
-    D = np.matmul((local * weight).transpose(0, 2, 1), local)
-    b_view = np.matmul(local.transpose(0, 2, 1), pull)[..., 0].astype(np.float64)
+    count = len(J) - PER_SENSOR
+    weight = seen.weight.astype(np.float32)
+    pull = (seen.weight * seen.distance).astype(np.float32)
+    weighted, by_view = J * weight, local.transpose(1, 2, 0)
+    coupling = np.matmul(weighted.transpose(1, 0, 2), by_view).astype(np.float64)
+    D = np.matmul((local * weight).transpose(1, 0, 2), by_view)
+    b_view = np.matmul(local.transpose(1, 0, 2), pull[..., None])[..., 0].astype(np.float64)
     b_view[:, :3] += prior.view_information[:3] * state.shift_m
-    if local.shape[2] == 6:
+    if len(local) == 6:
         b_view[:, 3:] += prior.view_information[3:] * _turned(state.turn)
     inverse = np.linalg.inv(D + np.diag(prior.view_information))
     left = np.matmul(coupling, inverse)
-    b_left = np.matmul(J.transpose(0, 2, 1), pull)[..., 0] - np.matmul(left, b_view[..., None])[..., 0]
     sensors = len(evidence.sensors)
     size = count + 3 + PER_SENSOR * sensors
     H, b = np.zeros((size, size)), np.zeros(size)
-    parts = np.matmul(weighted, J) - np.matmul(left, coupling.transpose(0, 2, 1))
     for k in range(sensors):
-        mine = evidence.sensor == k
-        part = parts[mine].sum(axis=0)
-        _add_sensor(H, b, part, b_left[mine].sum(axis=0), count, k)
+        mine = np.flatnonzero(evidence.sensor == k)
+        J_mine, left_mine = _rows(J[:, mine]), _rows(left[mine].transpose(1, 0, 2))
+        part = _rows(weighted[:, mine]) @ J_mine.T - left_mine @ _rows(coupling[mine].transpose(1, 0, 2)).T
+        pulled = J_mine @ pull[mine].reshape(-1) - left_mine @ b_view[mine].reshape(-1)
+        _add_sensor(H, b, part, pulled, count, k)
         here = slice(count + 3 + PER_SENSOR * k, count + 3 + PER_SENSOR * (k + 1))
-        information, pulled = prior.of_sensor(evidence.offset_sigma_m[k], state.offset_m[k], state.edge_px[k])
+        information, drawn = prior.of_sensor(evidence.offset_sigma_m[k], state.offset_m[k], state.edge_px[k])
         H[here, here] += information
-        b[here] += pulled
+        b[here] += drawn
     centre = slice(count, count + 3)
     H[centre, centre] += np.eye(3) / ANYWHERE_M**2
     prior.add(H, b, state.shape, state.body)
@@ -169,14 +170,17 @@ def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: 
 def _add_sensor(H: F64, b: F64, part: F64, pull: F64, count: int, number: int) -> None:
     """Add one sensor's equations over [shape, shift, edge]; its shift is also the fruit's centre's."""
     first = count + 3 + PER_SENSOR * number
-    index = np.r_[np.arange(count), np.arange(first, first + PER_SENSOR)]
-    H[np.ix_(index, index)] += part
-    b[index] += pull
-    centre, shift = slice(count, count + 3), slice(count, count + 3)
-    H[centre, index] += part[shift]
-    H[index, centre] += part[shift].T
-    H[centre, centre] += part[shift, shift]
-    b[centre] += pull[shift]
+    shape, centre, own = slice(0, count), slice(count, count + 3), slice(first, first + PER_SENSOR)
+    shift, sensor = slice(count, count + 3), slice(count, None)
+    for row, from_row in ((shape, shape), (centre, shift), (own, sensor)):
+        for column, from_column in ((shape, shape), (centre, shift), (own, sensor)):
+            H[row, column] += part[from_row, from_column]
+        b[row] += pull[from_row]
+
+
+def _rows(values: Real) -> Real:
+    """Return values (C, …) as (C, N)."""
+    return values.reshape(len(values), -1)
 
 
 def _turned(turn: F64) -> F64:

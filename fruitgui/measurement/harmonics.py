@@ -39,26 +39,32 @@ class Basis:
     order: Ints
 
     def monomials(self, directions: Real) -> Real:
-        """Return the table of monomials (N, M) at unit vectors (N, 3), in their precision."""
+        """Return the table of monomials (M, N) at unit vectors (3, N), in their precision."""
         top = int(self.powers.max())
-        x, y, z = (_powers(directions[:, axis], top) for axis in range(3))
-        table = np.empty((len(self.powers), len(directions)), dtype=directions.dtype)
-        for row, (i, j, k) in zip(table, self.powers, strict=True):
+        x, y, z = (_powers(axis, top) for axis in directions)
+        table = np.empty((len(self.powers), directions.shape[1]), dtype=directions.dtype)
+        for row, (i, j, k) in zip(table, self.powers.tolist(), strict=True):
             np.multiply(x[i], y[j], out=row)
             row *= z[k]
-        return table.T
+        return table
 
     def __call__(self, directions: F64) -> F64:
         """Return the harmonics (N, K) at unit vectors (N, 3)."""
-        return np.asarray(self.monomials(directions) @ self.matrix)
+        return np.asarray(self.monomials(np.ascontiguousarray(directions.T)).T @ self.matrix)
 
-    def with_slope(self, directions: F32, weights: F64) -> tuple[F32, F32, F32]:
-        """Return, at unit vectors (N, 3), the harmonics (N, K), their weighted sum g (N,) and the slope of g (N, 3)."""
+    def with_slope(self, directions: F32, weights: F64, harmonics: F32 | None = None) -> tuple[F32, F32]:
+        """Return, at unit vectors (3, N), the weighted sum g (N,) of the harmonics and the slope of g (3, N).
+
+        Where `harmonics` (K, N) is given, they are written into it.
+        """
+        monomials = self.monomials(directions)
         sums = np.column_stack([self.matrix @ weights, *(slope @ weights for slope in self.slope)])
-        table: F32 = self.monomials(directions) @ np.hstack([self.matrix, sums]).astype(np.float32)
-        level, slope = table[:, -4], table[:, -3:]
-        slope = slope - np.einsum("nd,nd->n", slope, directions)[:, None] * directions
-        return table[:, :-4], level, slope
+        level, *along = sums.T.astype(np.float32) @ monomials
+        if harmonics is not None:
+            np.matmul(self.matrix.T.astype(np.float32), monomials, out=harmonics)
+        slope: F32 = np.stack(along)
+        slope -= (slope * directions).sum(axis=0) * directions
+        return level, slope
 
 
 def _powers(values: Real, top: int) -> list[Real]:

@@ -32,6 +32,19 @@ HEIGHT_SIGMA_M = 0.7e-3
 FATTENING_PX, FATTENING_SIGMA_PX, FATTENING_UNEVEN_PX = 0.7, 0.8, 0.3
 """Fattening of edges: its mean, its spread between sensors, and the spread of its difference between x and y."""
 
+
+def _edge_information() -> F64:
+    """Return the information (5, 5) on a sensor's height and edges; on its shift along the belt there is none yet."""
+    information = np.zeros((5, 5))
+    information[2, 2] = 1.0 / HEIGHT_SIGMA_M**2
+    information[3:, 3:] = 0.25 / FATTENING_SIGMA_PX**2
+    information[3:, 3:] += np.array([[1.0, -1.0], [-1.0, 1.0]]) / FATTENING_UNEVEN_PX**2
+    information.setflags(write=False)
+    return information
+
+
+EDGE_INFORMATION: F64 = _edge_information()
+
 ROCKING_SIGMA_M = 1.5e-3
 """How far the centre of a fruit rises and falls as it rocks."""
 
@@ -54,10 +67,8 @@ class Prior:
 
     def of_sensor(self, offset_sigma_m: float, offset_m: F64, edge_px: F64) -> tuple[F64, F64]:
         """Return information (5, 5) and gradient (5,) on one sensor's shift and its edges' fattening."""
-        information = np.zeros((5, 5))
-        information[[0, 1, 2], [0, 1, 2]] = np.array([offset_sigma_m, offset_sigma_m, HEIGHT_SIGMA_M]) ** -2.0
-        information[3:, 3:] = 0.25 / FATTENING_SIGMA_PX**2
-        information[3:, 3:] += np.array([[1.0, -1.0], [-1.0, 1.0]]) / FATTENING_UNEVEN_PX**2
+        information = EDGE_INFORMATION.copy()
+        information[0, 0] = information[1, 1] = 1.0 / offset_sigma_m**2
         return information, information @ np.concatenate([offset_m, edge_px - FATTENING_PX])
 
     def add(self, H: F64, b: F64, shape: Shape, body: F64) -> None:

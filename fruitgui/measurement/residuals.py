@@ -40,9 +40,9 @@ class Residuals:
     Attributes:
         distance: (V, M) metres, positive outside; for outlines, what fattening does not explain.
         weight: (V, M) 1/m².
-        by_common: (V, M, 6 + K + 5) single precision; change with what views share: the stretch, the harmonics'
+        by_common: (6 + K + 5, V, M) single precision; change with what views share: the stretch, the harmonics'
             weights, the sensor's shift (3) and its fattening along the picture's x and y (2), in pixels.
-        by_view: (V, M, 3 or 6) single precision; change with the view's shift (3) and turn (3).
+        by_view: (3 or 6, V, M) single precision; change with the view's shift (3) and turn (3).
         along: (V, M) from each sample along its sight to where it was linearised next.
         chi2: (V,) mean normalised square of the view's points.
         view_weight: (V,) what the view counts.
@@ -66,79 +66,91 @@ def residuals(state: State, evidence: Evidence, *, turning: bool = False) -> Res
     """
     rim, matrix = evidence.points, state.shape.matrix
     p, sight = _in_body(state, evidence)
-    toward = sight[:, rim:] @ matrix.T
-    curved = np.einsum("vmd,vmd->vm", toward, toward)
+    toward = _through(matrix, sight[:, :, rim:])
+    curved = _dot(toward, toward)
     along = state.along_m.copy()
-    along[:, rim:] -= np.einsum("vmd,vmd->vm", p[:, rim:] @ matrix.T, toward) / curved
-    p += along[..., None] * sight
-    views, count = along.shape
-    distance, normal, by_shape, steep = _distances(state.shape, p.reshape(-1, 3))
-    distance, normal, steep = distance.reshape(along.shape), normal.reshape(p.shape), steep.reshape(along.shape)
-    facing = -np.einsum("vmd,vmd->vm", sight, normal)
-    shift = -np.matmul(normal, state.turn) if state.turned else -normal
-    by_view = np.concatenate([shift, _cross(p, normal)], axis=2) if turning else shift
+    along[:, rim:] -= _dot(_through(matrix, p[:, :, rim:]), toward) / curved
+    p += along * sight
+    distance, normal, by_common, steep = _distances(state.shape, p)
+    facing = -_dot(sight, normal)
+    shift = -normal
+    if state.turned:
+        shift = np.matmul(shift.transpose(1, 2, 0), state.turn).transpose(2, 0, 1)
+    by_view: F32 = np.concatenate([shift, _cross(p, normal)] if turning else [shift]).astype(np.float32)
     by_edge = _by_edge(shift, evidence)
+    by_common[-5:-2] = shift
+    by_common[-2:] = 0.0
+    by_common[-2:, :, rim:] = by_edge
     distance[:, :rim] += along[:, :rim] * facing[:, :rim]
-    fattening = state.edge_px[evidence.sensor][:, None, :] - OUTSIDE_PX
-    distance[:, rim:] += np.sum(by_edge[:, rim:] * fattening, axis=2)
-    height = np.matmul(p[:, rim:], state.turn[:, :, 2:])[..., 0] + state.centre_m[2]
+    fattening = (state.edge_px[evidence.sensor] - OUTSIDE_PX).T[:, :, None]
+    distance[:, rim:] += (by_edge * fattening).sum(axis=0)
+    height = np.matmul(p[:, :, rim:].transpose(1, 2, 0), state.turn[:, :, 2:])[..., 0] + state.centre_m[2]
     weight, chi2, view_weight = _weights(distance, facing, height, evidence)
     following = np.empty_like(along)
     following[:, :rim] = distance[:, :rim] / np.maximum(facing[:, :rim], 0.15)
     following[:, rim:] = state.along_m[:, rim:] + facing[:, rim:] * steep[:, rim:] / curved
     np.clip(following, -FARTHEST_M, FARTHEST_M, out=following)
-    shared = [by_shape.reshape(views, count, -1), shift.astype(np.float32), by_edge.astype(np.float32)]
-    by_common: F32 = np.concatenate(shared, axis=2)
-    return Residuals(distance, weight, by_common, by_view.astype(np.float32), following, chi2, view_weight)
+    return Residuals(distance, weight, by_common, by_view, following, chi2, view_weight)
 
 
 def _in_body(state: State, evidence: Evidence) -> tuple[F64, F64]:
-    """Return samples and sights (V, M, 3) about the fruit's centre, as it lies."""
-    p = evidence.samples_m - state.place_m(evidence)[:, None, :]
-    if not state.turned:
-        return p, evidence.sight
-    back = state.turn.transpose(0, 2, 1)
-    return np.matmul(p, back), np.matmul(evidence.sight, back)
+    """Return samples and sights about the fruit's centre, as it lies; (3, V, M), for long runs in memory."""
+    p, sight = evidence.samples_m - state.place_m(evidence)[:, None, :], evidence.sight
+    if state.turned:
+        back = state.turn.transpose(0, 2, 1)
+        p, sight = np.matmul(p, back), np.matmul(sight, back)
+    return np.ascontiguousarray(p.transpose(2, 0, 1)), np.ascontiguousarray(sight.transpose(2, 0, 1))
+
+
+def _through(matrix: F64, vectors: F64) -> F64:
+    """Return a matrix (3, 3) times vectors (3, …)."""
+    return np.asarray((matrix @ vectors.reshape(3, -1)).reshape(vectors.shape))
+
+
+def _dot(a: F64, b: F64) -> F64:
+    """Return the scalar products of vectors (3, …)."""
+    return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
 
 
 def _cross(a: F64, b: F64) -> F64:
-    """Return the cross products (V, M, 3); numpy's own is several times slower."""
-    ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
-    bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
-    return np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=-1)
+    """Return the cross products of vectors (3, …); numpy's own is several times slower."""
+    ax, ay, az = a
+    bx, by, bz = b
+    return np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
 
 
 def _distances(shape: Shape, p: F64) -> tuple[F64, F64, F32, F64]:
-    """Return, for points (N, 3) about the centre: distance, normal, change with the shape, and steepness.
+    """Return, for points (3, V, M) about the centre: distance, normal, change with the shape, and steepness.
 
-    The many columns of the change are in single precision: they only weigh
-    the steps, and halve the time.
+    The many rows of the change are in single precision: they only weigh the
+    steps, and halve the time. Its last five rows are left to be filled.
     """
-    q = p @ shape.matrix.T
-    rho = np.sqrt(np.einsum("nd,nd->n", q, q))
-    u = q / rho[:, None]
+    q = _through(shape.matrix, p)
+    rho = np.sqrt(_dot(q, q))
+    u = q / rho
     log, outward = np.log(rho), u
-    by_shape = np.empty((len(u), 6 + len(shape.weights)), dtype=np.float32)
+    count = 6 + len(shape.weights)
+    by_shape = np.empty((count + 5, *rho.shape), dtype=np.float32)
+    single = u.astype(np.float32)
     if shape.basis is not None:
-        by_shape[:, 6:], level, slope = shape.basis.with_slope(u.astype(np.float32), shape.weights)
-        log, outward = log - level, u - slope
-    ux, uy, uz = u.T
-    nx, ny, nz = outward.T
-    by_shape[:, 0], by_shape[:, 1], by_shape[:, 2] = nx * ux, ny * uy, nz * uz
-    by_shape[:, 3], by_shape[:, 4], by_shape[:, 5] = nx * uy + ny * ux, nx * uz + nz * ux, ny * uz + nz * uy
-    gradient = (outward @ shape.matrix) / rho[:, None]
-    steep = np.sqrt(np.einsum("nd,nd->n", gradient, gradient))
-    by_shape *= (-1.0 / steep[:, None]).astype(np.float32)
-    return log / steep, gradient / steep[:, None], by_shape, steep
+        harmonics = by_shape[6:count].reshape(count - 6, -1)
+        level, slope = shape.basis.with_slope(single.reshape(3, -1), shape.weights, harmonics)
+        log, outward = log - level.reshape(rho.shape), u - slope.reshape(u.shape)
+    ux, uy, uz = single
+    nx, ny, nz = outward.astype(np.float32)
+    by_shape[0], by_shape[1], by_shape[2] = nx * ux, ny * uy, nz * uz
+    by_shape[3], by_shape[4], by_shape[5] = nx * uy + ny * ux, nx * uz + nz * ux, ny * uz + nz * uy
+    gradient = _through(shape.matrix.T, outward) / rho
+    steep = np.sqrt(_dot(gradient, gradient))
+    by_shape[:count] *= (-1.0 / steep).astype(np.float32)
+    return log / steep, gradient / steep, by_shape, steep
 
 
 def _by_edge(shift: F64, evidence: Evidence) -> F64:
-    """Return the change (V, M, 2) of the outlines' distances with a pixel of fattening along the picture's x and y."""
+    """Return the change (2, V, R) of the outlines' distances with a pixel of fattening along the picture's x and y."""
     rim = evidence.points
-    by_edge = np.zeros((*shift.shape[:2], 2))
-    in_picture = np.matmul(shift[:, rim:], evidence.axes[evidence.sensor][:, :2].transpose(0, 2, 1))
-    by_edge[:, rim:] = -(in_picture**2) * evidence.pixel_m[:, rim:, None]
-    return by_edge
+    in_picture = np.matmul(evidence.axes[evidence.sensor][:, :2], shift[:, :, rim:].transpose(1, 0, 2))
+    return np.asarray(-np.square(in_picture).transpose(1, 0, 2) * evidence.pixel_m[:, rim:])
 
 
 def _weights(distance: F64, facing: F64, height: F64, evidence: Evidence) -> tuple[F64, F64, F64]:

@@ -24,7 +24,7 @@ Fruit at rest give 0.02–0.6 (a ball 0.02, a pear 0.6), fruit that rock by 10°
 def is_restless(state: State, evidence: Evidence, prior: Prior) -> bool:
     """Tell whether small turns of the views would explain more than noise (a score test; nothing is changed)."""
     seen = residuals(state, evidence, turning=True)
-    local = seen.by_view.astype(np.float64)
+    local = seen.by_view.transpose(1, 2, 0).astype(np.float64)
     D = np.matmul((local * seen.weight[..., None]).transpose(0, 2, 1), local)
     b = np.matmul(local.transpose(0, 2, 1), (seen.weight * seen.distance)[..., None])
     b[:, :3, 0] += prior.view_information * state.shift_m

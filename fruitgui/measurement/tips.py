@@ -73,23 +73,21 @@ def _exceeding(fit: Fit, evidence: Evidence, track: Track, rig: Rig, directions:
         rays = camera.rays()[np.clip(v, 0, camera.height - 1), np.clip(u, 0, camera.width - 1)]
         axes = evidence.axes[evidence.sensor[k]]
         sight = rays @ axes[:2] + axes[2]
-        sight /= np.linalg.norm(sight, axis=1, keepdims=True)
+        sight /= np.sqrt((sight * sight).sum(axis=1, keepdims=True))
         middle = place[k] - evidence.sensor_place_m[evidence.sensor[k]]
         offset = (sight @ middle)[:, None] * sight - middle
-        turned = directions @ fit.state.turn[k]
-        found[row] = _beyond(offset, sight, turned, surface_m @ fit.state.turn[k], float(place[k, 2]))
+        turn = fit.state.turn[k]
+        found[row] = _beyond(offset, sight, directions @ turn, surface_m @ turn, float(place[k, 2]))
     return found
 
 
 def _beyond(offset: F64, sight: F64, directions: F64, surface_m: F64, height_m: float) -> F64:
     """Return the excess (4,) of one outline: rays pass the centre by `offset` (N, 3) with directions `sight`."""
-    beyond = np.full(len(directions), np.nan)
-    for k, direction in enumerate(directions):
-        extreme = int(np.argmax(offset @ direction))
-        flat = direction - (direction @ sight[extreme]) * sight[extreme]
-        sine = float(np.linalg.norm(flat))
-        if sine < SIDEWAYS or height_m + offset[extreme, 2] < LOW_M:
-            continue
-        flat /= sine
-        beyond[k] = float(offset[extreme] @ flat - (surface_m @ flat).max())
-    return beyond
+    extreme = (directions @ offset.T).argmax(axis=1)
+    toward = sight[extreme]
+    flat = directions - (directions * toward).sum(axis=1, keepdims=True) * toward
+    sine = np.sqrt((flat * flat).sum(axis=1))
+    flat /= np.maximum(sine, SIDEWAYS)[:, None]
+    beyond = (offset[extreme] * flat).sum(axis=1) - (flat @ surface_m.T).max(axis=1)
+    shown = (sine >= SIDEWAYS) & (height_m + offset[extreme, 2] >= LOW_M)
+    return np.where(shown, beyond, np.nan)

@@ -56,8 +56,8 @@ def test_slope_is_the_derivative_along_the_sphere(seed: int) -> None:
     def level(points: F64) -> F64:
         return harmonics(points / np.linalg.norm(points, axis=1, keepdims=True)) @ weights
 
-    _, value, slope = harmonics.with_slope(u.astype(np.float64), weights)
+    value, slope = harmonics.with_slope(u.T.astype(np.float64), weights)
     numeric = (level(u + step * along) - level(u - step * along)) / (2 * step)
     assert np.allclose(value, level(u), atol=1e-5)
-    assert np.allclose(np.sum(slope * along, axis=1), numeric, atol=2e-3)
-    assert np.allclose(np.sum(slope * u, axis=1), 0.0, atol=1e-4)
+    assert np.allclose(np.sum(slope.T * along, axis=1), numeric, atol=2e-3)
+    assert np.allclose(np.sum(slope.T * u, axis=1), 0.0, atol=1e-4)
