@@ -25,7 +25,10 @@ from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 
 LEAST_MOVED_PX = 60
-WORST_POSITION_STD_M = 0.002
+ENOUGH_LINKS = 2
+"""With so many pairs found without a guess, one wrong among them shows as a contradiction."""
+
+WORST_POSITION_STD_M = 0.0016
 WORST_ANGLE_STD_RAD = float(np.radians(0.085))
 
 
@@ -111,13 +114,34 @@ def _moved(averaged: Mapping[str, Still], belts: Mapping[str, Belt]) -> list[Rea
 
 
 def _registered(ready: Mapping[str, Ready], progress: Progress, cancelled: Cancelled) -> list[Registration]:
+    """Register pairs, with no guess until every sensor has enough of them, then from where the others place it."""
     pairs = list(combinations(ready, 2))
-    tried = []
+    tried: list[Registration] = []
+    edges: list[Edge] = []
     for i, (target, source) in enumerate(pairs):
         stop_if(cancelled)
         progress(0.4 + 0.5 * i / len(pairs), f"Matching {source} to {target}")
-        tried.append(register(ready[source], ready[target]))
+        tried.append(register(ready[source], ready[target], _expected(edges, target, source)))
+        edges += [edge for edge in [_edge(tried[-1])] if edge is not None]
     return tried
+
+
+def _expected(edges: Sequence[Edge], target: str, source: str) -> Shift | None:
+    """Return the shift that pairs found so far tell of two sensors, once both hang on enough of those."""
+    links = [sum(sensor in (edge.source, edge.target) for edge in edges) for sensor in (target, source)]
+    if min(links) < ENOUGH_LINKS:
+        return None
+    together = _together(edges, target)
+    if source not in together:
+        return None
+    near = [edge for edge in edges if edge.source in together]
+    solution = graph.solve(target, near)
+    return solution.places[source] if solution.contradiction <= graph.LOOP_BOUND else None
+
+
+def _together(edges: Sequence[Edge], sensor: str) -> tuple[str, ...]:
+    everyone = sorted({s for edge in edges for s in (edge.source, edge.target)})
+    return next(group for group in graph.groups(everyone, edges) if sensor in group)
 
 
 def _edge(pair: Registration) -> Edge | None:

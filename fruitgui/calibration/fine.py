@@ -19,6 +19,8 @@ from fruitgui.frame import F64, Bools, Ints
 SCHEDULE_M = (0.03, 0.03, 0.02, 0.02, 0.015, 0.012, 0.01, 0.008, 0.008, 0.008, 0.008, 0.008)
 SAME_NORMAL = float(np.cos(np.radians(30.0)))
 ROBUST_M = 0.0015
+THING_STD_PER_M = 6e-4
+"""How far one thing's place errs across the belt, for each square metre of distance (product of both sensors')."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -153,14 +155,15 @@ def _fit(source: Relief, shift: Shift, matched: Matched) -> Fit:
     return Fit(shift, matched, names.astype(np.intp), bias, np.sqrt(square), np.bincount(thing).astype(np.intp))
 
 
-def covariance(source: Relief, fit: Fit, *, turning: bool = True) -> F64:
+def covariance(source: Relief, target: Relief, fit: Fit, *, turning: bool = True) -> F64:
     """Return the (3, 3) covariance of (x, y, θ about the matched points' centre), things as independent witnesses.
 
     Of x and y alone, (2, 2), where the heading is known and not `turning`.
 
     Errors of neighbouring pixels are correlated (matching window, steps, the shape of the normals'
     window), so points of one thing count as one witness: H⁻¹ (Σ g gᵀ) H⁻¹ over things, with g the pull
-    of a thing, enlarged for few things, and never less than what 1 mm of common error per thing gives.
+    of a thing, enlarged for few things, and never less than what 1 mm of common error per thing gives. What stands
+    still in a sensor's noise moves a thing as a whole, farther with distance squared: that comes on top.
     """
     matched = fit.matched
     free = 3 if turning else 2
@@ -179,7 +182,9 @@ def covariance(source: Relief, fit: Fit, *, turning: bool = True) -> F64:
     seen = pulls.T @ pulls * count / max(count - free, 1)
     prior = expected * 0.0005**2
     blend = (count * seen + 6 * prior) / (count + 6)
-    return np.asarray(H_inverse @ blend @ H_inverse)
+    spread = np.asarray(H_inverse @ blend @ H_inverse)
+    spread[:2, :2] += np.eye(2) * (THING_STD_PER_M * source.distance_m * target.distance_m) ** 2 / count
+    return spread
 
 
 def held_out_m(source: Relief, fit: Fit) -> float:

@@ -75,12 +75,15 @@ class Registration:
     quality: PairQuality
 
 
-def register(source: Ready, target: Ready) -> Registration:
-    """Find the shift from the source's belt frame into the target's, or refuse."""
+def register(source: Ready, target: Ready, expected: Shift | None = None) -> Registration:
+    """Find the shift from the source's belt frame into the target's, or refuse.
+
+    Where other pairs already tell roughly which shift to expect, only that one is measured and judged.
+    """
     if min(source.relief.things, target.relief.things) == 0:
         bare = source.relief.sensor if source.relief.things == 0 else target.relief.sensor
         return _refused(source, target, "too_little_structure", f"{bare} sees a bare belt.", [])
-    ranked = _ranked(source, target)
+    ranked = _ranked(source, target, expected)
     code, what = _verdict(source, target, ranked)
     if code is not None:
         return _refused(source, target, code, what, ranked)
@@ -113,7 +116,7 @@ def _held_by_lines(source: Ready, target: Ready, best: Hypothesis) -> tuple[Hypo
     fitted anew: what the fruit's own heading erred would else stay in it. A line that contradicts the fruit by more
     than four standard deviations is not the same line.
     """
-    covariance = fine.covariance(source.relief, best.fit)
+    covariance = fine.covariance(source.relief, target.relief, best.fit)
     turn = _turn(source, target, best.shift)
     if turn is None or turn.turn_rad**2 > 16 * (covariance[2, 2] + turn.std_rad**2):
         return best, covariance
@@ -123,7 +126,7 @@ def _held_by_lines(source: Ready, target: Ready, best: Hypothesis) -> tuple[Hypo
     if fit is None:
         return best, covariance
     held = np.zeros((3, 3))
-    held[:2, :2] = fine.covariance(source.relief, fit, turning=False)[:2, :2]
+    held[:2, :2] = fine.covariance(source.relief, target.relief, fit, turning=False)[:2, :2]
     held[2, 2] = (1.0 - share) * covariance[2, 2]
     return replace(best, fit=fit), held
 
@@ -134,12 +137,9 @@ def _turn(source: Ready, target: Ready, shift: Shift) -> Turn | None:
     return rails.turn_between(source.lines, target.lines, shift) if seen is None else seen
 
 
-def _ranked(source: Ready, target: Ready) -> list[tuple[Hypothesis, Shift]]:
+def _ranked(source: Ready, target: Ready, expected: Shift | None = None) -> list[tuple[Hypothesis, Shift]]:
     """Return materially different hypotheses with where each started, most convincing first, the leaders refined."""
-    starts = coarse.hypotheses(source.relief, target.relief)
-    heading = borders.heading_between(source.borders, target.borders)
-    if heading is not None:
-        starts += coarse.along_borders(source.relief, target.relief, heading)
+    starts = _starts(source, target) if expected is None else [expected]
     quick = _tried(source, target, starts, source.thin, QUICK_M)
     if not quick:
         return []
@@ -153,6 +153,14 @@ def _ranked(source: Ready, target: Ready) -> list[tuple[Hypothesis, Shift]]:
         for hypothesis, _ in _tried(source, target, [found.shift], source.relief, fine.SCHEDULE_M)
     ]
     return _different(source.relief, refined)
+
+
+def _starts(source: Ready, target: Ready) -> list[Shift]:
+    starts = coarse.hypotheses(source.relief, target.relief)
+    heading = borders.heading_between(source.borders, target.borders)
+    if heading is not None:
+        starts += coarse.along_borders(source.relief, target.relief, heading)
+    return starts
 
 
 def _tried(

@@ -21,6 +21,8 @@ CELL_M = 0.006
 LOWEST_M = 0.012
 HIGHEST_M = 0.35
 LARGEST_THING_M = 0.45
+LOW_RAIL_M = 0.03
+RAIL_GAP_M = 0.07
 POINTS_PER_THING = 800
 
 UNSEEN, EMPTY, RISEN = 0, 1, 2
@@ -83,6 +85,12 @@ class Relief:
     def sensor(self) -> str:
         """The sensor's id."""
         return self.still.sensor
+
+    @property
+    def distance_m(self) -> float:
+        """How far the sensor stands from what it sees of things, at the median."""
+        local = self.frame.inverse().apply(self.points_m) if len(self.points_m) else np.ones((1, 3))
+        return float(np.median(local[:, 2]))
 
     @property
     def things(self) -> int:
@@ -171,10 +179,23 @@ def _things(ground: Ground, belt: Belt, frame: Pose) -> Ints:
     cells = np.bincount(names.ravel(), minlength=count)
     kept = np.bincount(names[inside], minlength=count) > 0.6 * cells
     length_m = np.hypot(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) * ground.cell_m
+    kept &= np.bincount(names[_low_rails(ground)], minlength=count) < 0.6 * cells
     good = kept & (length_m < LARGEST_THING_M) & (cells * ground.cell_m**2 > 2.5e-4)
     good[0] = False
     renamed = np.where(good, np.cumsum(good), 0)
     return np.asarray(renamed[names], dtype=np.intp)
+
+
+def _low_rails(ground: Ground) -> Bools:
+    """Return cells of what is low and, gaps closed, long: a rail barely above the noise, seen in pieces."""
+    low = ((ground.state == RISEN) & (ground.height_m < LOW_RAIL_M)).astype(np.uint8)
+    reach = 2 * round(RAIL_GAP_M / ground.cell_m / 2) + 1
+    closed = cv2.morphologyEx(low, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8))
+    _, names, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
+    length_m = np.hypot(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) * ground.cell_m
+    long = length_m > LARGEST_THING_M
+    long[0] = False
+    return np.asarray(long[names] & (low > 0))
 
 
 def _inside_region(ground: Ground, belt: Belt, frame: Pose) -> Bools:

@@ -21,7 +21,7 @@ from fruitgui.geometry.plane import Plane, Surface
 
 OBJECT_HEIGHTS_M = (0.015, 0.25)
 OBJECT_AREAS_M2 = (4e-4, 0.09)
-BENT_RAD, BENT_M = float(np.radians(0.012)), 0.0001
+BENT_RAD, BENT_M = float(np.radians(0.018)), 0.0001
 """What steps, lens and registration bend in a picture and no residual shows."""
 
 
