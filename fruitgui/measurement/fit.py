@@ -21,15 +21,12 @@ from fruitgui.geometry.rotation import rotation_from_vector
 from fruitgui.measurement.evidence import Evidence
 from fruitgui.measurement.harmonics import Real
 from fruitgui.measurement.prior import Prior
-from fruitgui.measurement.residuals import Residuals, residuals
+from fruitgui.measurement.residuals import PER_SENSOR, Residuals, residuals
 from fruitgui.measurement.shape import SIX, Shape
 from fruitgui.measurement.state import State
 
 CONTACT_SIGMA_M = 0.7e-3
 """How far a fruit's lowest point may seem to be from the belt: flatness of the belt and of the fitted plane."""
-
-PER_SENSOR = 5
-"""Unknowns of each sensor: a shift (3) and its edges' fattening (2)."""
 
 ANYWHERE_M = 0.3
 """How far the centre may be from where it was: nothing, but enough when all else fails."""
@@ -80,7 +77,7 @@ def improve(state: State, evidence: Evidence, prior: Prior, steps: int) -> Fit:
         seen = residuals(state, evidence, turning=len(prior.view_information) == 6)
         system = _normal_equations(state, evidence, seen, prior)
         unknowns = -np.asarray(np.linalg.solve(system.H, system.b), dtype=np.float64)
-        state = _moved(state, evidence, unknowns, seen, system)
+        state = _moved(state, unknowns, seen, system)
     count = 6 + len(state.shape.weights)
     usual = max(LEAST_CHI2, float(np.average(seen.chi2, weights=seen.view_weight + 1e-9)))
     sight = np.matmul(state.turn, evidence.sight[:, : evidence.points].mean(axis=1)[..., None])[..., 0]
@@ -89,11 +86,11 @@ def improve(state: State, evidence: Evidence, prior: Prior, steps: int) -> Fit:
     return Fit(state, covariance, seen.chi2, seen.view_weight, sight[counted])
 
 
-def _moved(state: State, evidence: Evidence, unknowns: F64, seen: Residuals, system: _System) -> State:
+def _moved(state: State, unknowns: F64, seen: Residuals, system: _System) -> State:
     count = 6 + len(state.shape.weights)
     stretch = unknowns[:6] * min(1.0, LONGEST_STEP / max(float(np.abs(unknowns[:6]).max()), 1e-9))
     sensors = unknowns[count + 3 :].reshape(-1, PER_SENSOR)
-    pull = system.b_view + _coupled(system, evidence, unknowns, count)
+    pull = system.b_view + (unknowns @ system.coupling).reshape(system.b_view.shape)
     local = -np.matmul(system.inverse, pull[..., None])[..., 0]
     turn, turned = state.turn, state.turned
     if local.shape[1] == 6:
@@ -113,14 +110,6 @@ def _moved(state: State, evidence: Evidence, unknowns: F64, seen: Residuals, sys
     )
 
 
-def _coupled(system: _System, evidence: Evidence, unknowns: F64, count: int) -> F64:
-    """Return what the common unknowns' step adds to the gradient of each view's own (V, d)."""
-    sensors = unknowns[count + 3 :].reshape(-1, PER_SENSOR)[evidence.sensor]
-    common = np.hstack([np.broadcast_to(unknowns[:count], (len(sensors), count)), sensors])
-    common[:, count : count + 3] += unknowns[count : count + 3]
-    return np.asarray(np.matmul(common[:, None, :], system.coupling)[:, 0])
-
-
 def _stretched(shape: Shape, body: F64, stretch: F64, weights: F64) -> Shape:
     """Return the shape with A ← (1 + S)⁻¹·A, kept symmetric in the body's frame, and more weight on g."""
     S = np.empty((3, 3))
@@ -133,31 +122,25 @@ def _stretched(shape: Shape, body: F64, stretch: F64, weights: F64) -> Shape:
 
 
 def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: Prior) -> _System:
-    """Build the equations view by view over [shape, sensor], eliminate the view's own, add up over sensors."""
+    """Build the equations over [shape, centre, sensors] and eliminate the views' own unknowns."""
     J, local = seen.by_common, seen.by_view
-    count = len(J) - PER_SENSOR
+    count = 6 + len(state.shape.weights)
     weight = seen.weight.astype(np.float32)
     pull = (seen.weight * seen.distance).astype(np.float32)
     weighted, by_view = J * weight, local.transpose(1, 2, 0)
-    coupling = np.matmul(weighted.transpose(1, 0, 2), by_view).astype(np.float64)
+    coupled = np.matmul(weighted.transpose(1, 0, 2), by_view).astype(np.float64)
     D = np.matmul((local * weight).transpose(1, 0, 2), by_view)
     b_view = np.matmul(local.transpose(1, 0, 2), pull[..., None])[..., 0].astype(np.float64)
     b_view[:, :3] += prior.view_information[:3] * state.shift_m
     if len(local) == 6:
         b_view[:, 3:] += prior.view_information[3:] * _turned(state.turn)
     inverse = np.linalg.inv(D + np.diag(prior.view_information))
-    left = np.matmul(coupling, inverse)
-    sensors = len(evidence.sensors)
-    size = count + 3 + PER_SENSOR * sensors
-    H, b = np.zeros((size, size)), np.zeros(size)
-    for k in range(sensors):
-        mine = np.flatnonzero(evidence.sensor == k)
-        J_mine, left_mine = _rows(J[:, mine]), _rows(left[mine].transpose(1, 0, 2))
-        part = _rows(weighted[:, mine]) @ J_mine.T - left_mine @ _rows(coupling[mine].transpose(1, 0, 2)).T
-        pulled = J_mine @ pull[mine].reshape(-1) - left_mine @ b_view[mine].reshape(-1)
-        _add_sensor(H, b, part, pulled, count, k)
+    left, coupling = _rows(np.matmul(coupled, inverse).transpose(1, 0, 2)), _rows(coupled.transpose(1, 0, 2))
+    H = _rows(weighted) @ _rows(J).T - left @ coupling.T
+    b = _rows(J) @ pull.reshape(-1) - left @ b_view.reshape(-1)
+    for k, sigma_m in enumerate(evidence.offset_sigma_m.tolist()):
         here = slice(count + 3 + PER_SENSOR * k, count + 3 + PER_SENSOR * (k + 1))
-        information, drawn = prior.of_sensor(evidence.offset_sigma_m[k], state.offset_m[k], state.edge_px[k])
+        information, drawn = prior.of_sensor(sigma_m, state.offset_m[k], state.edge_px[k])
         H[here, here] += information
         b[here] += drawn
     centre = slice(count, count + 3)
@@ -165,17 +148,6 @@ def _normal_equations(state: State, evidence: Evidence, seen: Residuals, prior: 
     prior.add(H, b, state.shape, state.body)
     _add_contact(H, b, state)
     return _System(H, b, inverse, coupling, b_view)
-
-
-def _add_sensor(H: F64, b: F64, part: F64, pull: F64, count: int, number: int) -> None:
-    """Add one sensor's equations over [shape, shift, edge]; its shift is also the fruit's centre's."""
-    first = count + 3 + PER_SENSOR * number
-    shape, centre, own = slice(0, count), slice(count, count + 3), slice(first, first + PER_SENSOR)
-    shift, sensor = slice(count, count + 3), slice(count, None)
-    for row, from_row in ((shape, shape), (centre, shift), (own, sensor)):
-        for column, from_column in ((shape, shape), (centre, shift), (own, sensor)):
-            H[row, column] += part[from_row, from_column]
-        b[row] += pull[from_row]
 
 
 def _rows(values: Real) -> Real:

@@ -20,6 +20,9 @@ RIM_SIGMA_PX = 1.8
 OUTSIDE_PX = 0.4
 """An outline runs through the centres of the outermost pixels, on average this far inside the true edge."""
 
+PER_SENSOR = 5
+"""Unknowns of each sensor: a shift (3) and its edges' fattening (2)."""
+
 FARTHEST_M = 12e-3
 """Farthest along its sight that the surface is looked for from a point."""
 
@@ -40,8 +43,9 @@ class Residuals:
     Attributes:
         distance: (V, M) metres, positive outside; for outlines, what fattening does not explain.
         weight: (V, M) 1/m².
-        by_common: (6 + K + 5, V, M) single precision; change with what views share: the stretch, the harmonics'
-            weights, the sensor's shift (3) and its fattening along the picture's x and y (2), in pixels.
+        by_common: (6 + K + 3 + 5 S, V, M) single precision; change with what views share: the stretch, the harmonics'
+            weights, the centre (3), and of each sensor its shift (3) and its fattening along the picture's x and y
+            (2), in pixels.
         by_view: (3 or 6, V, M) single precision; change with the view's shift (3) and turn (3).
         along: (V, M) from each sample along its sight to where it was linearised next.
         chi2: (V,) mean normalised square of the view's points.
@@ -71,16 +75,14 @@ def residuals(state: State, evidence: Evidence, *, turning: bool = False) -> Res
     along = state.along_m.copy()
     along[:, rim:] -= _dot(_through(matrix, p[:, :, rim:]), toward) / curved
     p += along * sight
-    distance, normal, by_common, steep = _distances(state.shape, p)
+    distance, normal, by_common, steep = _distances(state.shape, p, 3 + PER_SENSOR * len(evidence.sensors))
     facing = -_dot(sight, normal)
     shift = -normal
     if state.turned:
         shift = np.matmul(shift.transpose(1, 2, 0), state.turn).transpose(2, 0, 1)
     by_view: F32 = np.concatenate([shift, _cross(p, normal)] if turning else [shift]).astype(np.float32)
     by_edge = _by_edge(shift, evidence)
-    by_common[-5:-2] = shift
-    by_common[-2:] = 0.0
-    by_common[-2:, :, rim:] = by_edge
+    _fill_sensors(by_common[6 + len(state.shape.weights) :], shift, by_edge, evidence)
     distance[:, :rim] += along[:, :rim] * facing[:, :rim]
     fattening = (state.edge_px[evidence.sensor] - OUTSIDE_PX).T[:, :, None]
     distance[:, rim:] += (by_edge * fattening).sum(axis=0)
@@ -119,18 +121,27 @@ def _cross(a: F64, b: F64) -> F64:
     return np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
 
 
-def _distances(shape: Shape, p: F64) -> tuple[F64, F64, F32, F64]:
+def _fill_sensors(rows: F32, shift: F64, by_edge: F64, evidence: Evidence) -> None:
+    """Fill in the change with the centre, and with each sensor's shift and fattening in its own views."""
+    rows[:3], rows[3:] = shift, 0.0
+    for number in range(len(evidence.sensors)):
+        first, mine = 3 + PER_SENSOR * number, (evidence.sensor == number)[:, None]
+        np.multiply(rows[:3], mine, out=rows[first : first + 3])
+        rows[first + 3 : first + PER_SENSOR, :, evidence.points :] = by_edge * mine
+
+
+def _distances(shape: Shape, p: F64, more: int) -> tuple[F64, F64, F32, F64]:
     """Return, for points (3, V, M) about the centre: distance, normal, change with the shape, and steepness.
 
     The many rows of the change are in single precision: they only weigh the
-    steps, and halve the time. Its last five rows are left to be filled.
+    steps, and halve the time. So many `more` rows are left to be filled.
     """
     q = _through(shape.matrix, p)
     rho = np.sqrt(_dot(q, q))
     u = q / rho
     log, outward = np.log(rho), u
     count = 6 + len(shape.weights)
-    by_shape = np.empty((count + 5, *rho.shape), dtype=np.float32)
+    by_shape = np.empty((count + more, *rho.shape), dtype=np.float32)
     single = u.astype(np.float32)
     if shape.basis is not None:
         harmonics = by_shape[6:count].reshape(count - 6, -1)
