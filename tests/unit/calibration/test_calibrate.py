@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -29,10 +32,26 @@ def codes(result: Calibration | Refusal) -> set[str]:
     return {reason.code for reason in result.reasons}
 
 
+@dataclass(frozen=True)
+class Run:
+    result: Calibration
+    said: tuple[float, ...]
+
+
+@cache
+def usual(reference: str) -> Run:
+    """Calibrate the usual pair, once for all tests that look at it."""
+    said: list[float] = []
+    result = calibrate(
+        opposed(scattered(5)), reference, lambda fraction, _: said.append(fraction), with_paper=reference == "left"
+    )
+    assert isinstance(result, Calibration)
+    return Run(result, tuple(said))
+
+
 @pytest.mark.parametrize("reference", ["left", "right"])
 def test_opposed_sensors_find_each_other(reference: str) -> None:
-    result = calibrate(opposed(scattered(5)), reference)
-    assert isinstance(result, Calibration)
+    result = usual(reference).result
     assert result.rig.reference == reference
     other = "right" if reference == "left" else "left"
     mount = result.rig.mounts[other]
@@ -110,14 +129,12 @@ def test_cancel_stops_it() -> None:
 
 
 def test_progress_only_goes_forward() -> None:
-    said: list[float] = []
-    calibrate(opposed(scattered(5)), progress=lambda fraction, _: said.append(fraction))
-    assert said == sorted(said)
+    said = usual("left").said
+    assert list(said) == sorted(said)
     assert 0.0 <= said[0] <= said[-1] <= 1.0
 
 
 def test_the_source_method_comes_along_when_asked_for() -> None:
-    result = calibrate(opposed(scattered(5)), "left", with_paper=True)
-    assert isinstance(result, Calibration)
+    result = usual("left").result
     off_m, _ = result.paper["right"].distance_to(true_pose("right", "left"), np.array([[0.0, 0.0, 1.0]]))
     assert 0 < off_m < 0.05

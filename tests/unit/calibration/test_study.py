@@ -25,12 +25,12 @@ def test_errors_recover_the_covariance_they_were_drawn_from() -> None:
     rng = np.random.default_rng(2)
     A = 1e-3 * rng.normal(size=(6, 6))
     covariance = A @ A.T
-    found = [random_pose(rng) for _ in range(4000)]
+    found = [random_pose(rng) for _ in range(1500)]
     real = []
     for pose, twist in zip(found, rng.multivariate_normal(np.zeros(6), covariance, len(found)), strict=True):
         real.append(Pose(rotation_from_vector(twist[:3]), twist[3:]) @ pose)
     got = errors(found, real).se3_covariance
-    assert np.abs(got - covariance).max() < 0.1 * np.abs(np.diag(covariance)).max()
+    assert np.abs(got - covariance).max() < 0.12 * np.abs(np.diag(covariance)).max()
 
 
 def test_gaussian_says_what_is_none() -> None:
