@@ -183,7 +183,10 @@ def covariance(source: Relief, target: Relief, fit: Fit, *, turning: bool = True
     prior = expected * 0.0005**2
     blend = (count * seen + 6 * prior) / (count + 6)
     spread = np.asarray(H_inverse @ blend @ H_inverse)
-    spread[:2, :2] += np.eye(2) * (THING_STD_PER_M * source.distance_m * target.distance_m) ** 2 / count
+    place = (THING_STD_PER_M * source.distance_m * target.distance_m) ** 2 / count
+    spread[:2, :2] += np.eye(2) * place
+    if turning:
+        spread[2, 2] += place / float(source.points_m[matched.source, :2].var(axis=0).sum())
     return spread
 
 

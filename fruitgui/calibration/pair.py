@@ -18,6 +18,7 @@ from fruitgui.frame import F64
 
 QUICK_M = (0.03, 0.03, 0.03, 0.02, 0.015, 0.012)
 DIFFERENT_M, DIFFERENT_RAD = 0.008, float(np.radians(0.7))
+SURELY_SAME_RAD = float(np.radians(0.3))
 FEWEST_THINGS = 3
 ENOUGH_TO_TELL_MOVED = 5
 LEAST_EVIDENCE = 22.0
@@ -114,11 +115,11 @@ def _held_by_lines(source: Ready, target: Ready, best: Hypothesis) -> tuple[Hypo
 
     The covariance is of (x, y, θ about the centre of what is matched). With the heading settled, the shift is
     fitted anew: what the fruit's own heading erred would else stay in it. A line that contradicts the fruit by more
-    than four standard deviations is not the same line.
+    than four standard deviations, and more than lines that lie so near each other ever do, is not the same line.
     """
     covariance = fine.covariance(source.relief, target.relief, best.fit)
     turn = _turn(source, target, best.shift)
-    if turn is None or turn.turn_rad**2 > 16 * (covariance[2, 2] + turn.std_rad**2):
+    if turn is None or turn.turn_rad**2 > max(16 * (covariance[2, 2] + turn.std_rad**2), SURELY_SAME_RAD**2):
         return best, covariance
     share = covariance[2, 2] / (covariance[2, 2] + turn.std_rad**2)
     turned = best.shift.about(best.fit.matched.centre_m, np.array([0.0, 0.0, share * turn.turn_rad]))
