@@ -12,17 +12,9 @@ from fruitgui.classification.evidence import UNKNOWN, KindVote
 from fruitgui.classification.network import log_softmax
 from fruitgui.frame import F64, Ints
 
-_PROMISE = 0.002
-"""Share of trained fruit that the threshold may reject by the distribution of their held-out distances."""
-
-_FOREIGN_SHARE = 0.05
-"""Share of the known strangers that the threshold may let through."""
-
-_REACH = 0.35
-"""Where the threshold lies between the last trained fruit and the first stranger, where there is room."""
-
-_FARTHEST = 2.0
-"""The threshold goes no farther out than this many times the distance that trained fruit need."""
+_PROMISE = 0.005
+"""Share of trained fruit that the threshold may reject by the distribution of their held-out distances: half of the
+one in a hundred that may come out unknown, as doubt rejects some too."""
 
 _UNTESTED = 6.0
 """The threshold where no fruit could be held out."""
@@ -42,7 +34,7 @@ class Scores:
     Attributes:
         views: (K,) mean over its views of the perceptron's log-probabilities.
         fruit: (K,) log-density of the whole fruit.
-        distances: (A, K) squared distance per axis, for each set of axes.
+        distances: (A, K) squared distance per axis, for each set of axes; last, along the worst axis.
         stranger: log-density of the nearest fruit labelled unknown; −inf without any.
     """
 
@@ -131,12 +123,13 @@ class Novelty:
         return math.hypot(distance / self.threshold, doubt / self.doubt)
 
 
-def fit_novelty(own: F64, foreign: F64, doubts: F64) -> Novelty:
-    """Return the threshold that keeps trained fruit and, where there is room, keeps strangers out.
+def fit_novelty(own: F64, doubts: F64) -> Novelty:
+    """Return the threshold that keeps the promised share of trained fruit.
+
+    Nothing widens it: kinds left out of training lie farther off than what is met on belts, and so prove no room.
 
     Args:
         own: (N, L, A) distances of held-out fruit to their own kind, each in L lights.
-        foreign: (M, A) distances of strangers to the nearest kind: kinds left out of training, things labelled unknown.
         doubts: (N,) doubts of the held-out fruit that got their kind.
     """
     from scipy.stats import t as student
@@ -152,11 +145,7 @@ def fit_novelty(own: F64, foreign: F64, doubts: F64) -> Novelty:
     worst = _worst(centres, spreads, own.reshape(-1, sets))
     reach = float(student.ppf(1.0 - _PROMISE, max(fruit - 1, 2))) * math.sqrt(1.0 + 1.0 / fruit)
     needed = max(float(worst.mean()) + reach * max(float(worst.std()), 0.5), 2.5)
-    if len(foreign) == 0:
-        return Novelty(centres, spreads, needed, doubt)
-    stranger = float(np.quantile(_worst(centres, spreads, foreign), _FOREIGN_SHARE))
-    threshold = needed + _REACH * max(0.0, stranger - needed)
-    return Novelty(centres, spreads, min(threshold, _FARTHEST * needed), doubt)
+    return Novelty(centres, spreads, needed, doubt)
 
 
 def _worst(centres: F64, spreads: F64, distances: F64) -> F64:

@@ -11,6 +11,7 @@ usual is less certain by the spread between views.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -66,6 +67,7 @@ def fruit_vectors(evidence: list[Evidence], names: FeatureNames) -> FruitVectors
         points[row, width:] = by_ratio(one.fruit_features, fruit_sizes)
         if not one.alone:
             points[row, shapes] = np.nan
+            points[row, width:] = np.nan
         if len(views) > 1:
             spreads[row, :width, :width] = np.cov(views, rowvar=False).reshape(width, width)
     return FruitVectors(points, spreads, np.array([one.views for one in evidence], dtype=float))
@@ -116,9 +118,26 @@ class Density:
             factor = np.linalg.cholesky(spread)
             squared = float(np.sum(np.linalg.solve(factor, point[seen] / self.unit[seen] - mean[seen]) ** 2))
             freedom = self.counts.sum() + len(seen)
-            distances[kind] = squared / len(seen)
+            distances[kind] = _as_of_all(squared / len(seen), len(seen), len(axes))
             densities[kind] = -0.5 * (freedom + len(seen)) * np.log1p(squared / freedom) - np.log(np.diag(factor)).sum()
         return distances, densities
+
+    def worst_axis(self, point: F64, views: float) -> F64:
+        """Return the squared distance (K,) of one fruit along the axis that fits worst, in that axis's own spread.
+
+        A mean over fifty axes hides what lies far off in two or three of them.
+        """
+        seen = np.flatnonzero(np.isfinite(point))
+        if len(seen) == 0:
+            return np.zeros(len(self.means))
+        fewer = max(0.0, views**-0.5 - self.views**-0.5)
+        own = np.diagonal(self.covariances, axis1=1, axis2=2) * (1.0 + 1.0 / self.counts)[:, None]
+        spread = own + fewer * np.diagonal(self.view_spread)
+        return np.asarray(((point / self.unit - self.means) ** 2 / spread)[:, seen].max(axis=1))
+
+    def distances(self, point: F64, views: float, sets: Sequence[Ints]) -> F64:
+        """Return the squared distances (A + 1, K) of one fruit over each set of axes, then along its worst axis."""
+        return np.array([*(self.judge(point, views, axes)[0] for axes in sets), self.worst_axis(point, views)])
 
 
 def fit_density(fruit: FruitVectors, kinds: Ints, count: int, strength: float, nuisance: F64) -> Density:
@@ -147,6 +166,17 @@ def fit_density(fruit: FruitVectors, kinds: Ints, count: int, strength: float, n
     covariances = own[:, :, None] * correlation * own[:, None, :] + changed
     view_spread = view_spread / np.outer(unit, unit)
     return Density(unit, means / unit, covariances, counts, view_spread, float(np.median(fruit.views)), strength)
+
+
+def _as_of_all(distance: float, seen: int, axes: int) -> float:
+    """Return the squared distance per axis over all axes that is as rare as this one over those seen.
+
+    A mean over few axes scatters more; by Wilson & Hilferty (1931) its cube root is normal about 1 − 2/9n, with the
+    variance 2/9n.
+    """
+    few, all_of_them = 2.0 / (9.0 * seen), 2.0 / (9.0 * axes)
+    rarity = (float(np.cbrt(distance)) - 1.0 + few) / np.sqrt(few)
+    return float(max(1.0 - all_of_them + rarity * np.sqrt(all_of_them), 0.0) ** 3)
 
 
 def _filled(points: F64, kinds: Ints, count: int) -> F64:

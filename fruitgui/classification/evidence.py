@@ -38,7 +38,8 @@ class Evidence:
         view_features: (n, F), one row per view, n ≥ 1, finite.
         fruit_features: (G,), of all views together (volume, length, …); NaN where it could not be measured.
         alone: the views show it whole and apart from others. Outlines that were cut out of a group, or by the
-            picture's edge, tell nothing of the fruit's shape, and are not listened to.
+            picture's edge, tell nothing of the fruit's shape, and what was fitted to them little of its size: neither
+            is listened to.
 
     Raises:
         InputError: a wrong shape, no view, or a view feature that is not finite.

@@ -47,12 +47,6 @@ class FruitSet:
             self.names, tuple(self.views[row] for row in rows), self.vectors.take(rows), self.kinds[rows], self.count
         )
 
-    def without(self, kind: int) -> FruitSet:
-        """Return the fruit of all other kinds, numbered without a gap."""
-        left = self.take(np.flatnonzero(self.kinds != kind))
-        renumbered = left.kinds - (left.kinds > kind)
-        return FruitSet(self.names, left.views, left.vectors, renumbered, self.count - 1)
-
 
 def fruit_set(evidence: list[Evidence], kinds: Ints, count: int, names: FeatureNames) -> FruitSet:
     """Return the fruit of `count` kinds, ready for fitting."""

@@ -67,7 +67,7 @@ class HeldOut:
         moved: of each, as another light, belt or neighbour than training's may have moved it; as often as `LIGHTS`.
         kinds: (M,) what each is.
         fold: (M,) in which fold each was.
-        foreign: (S, A) distances of strangers to the nearest kind.
+        sets: A, how many distances to a kind there are.
     """
 
     rows: Ints
@@ -75,7 +75,7 @@ class HeldOut:
     moved: tuple[tuple[Scores, ...], ...]
     kinds: Ints
     fold: Ints
-    foreign: F64
+    sets: int
 
     def fit(self, rows: Ints) -> tuple[Weighing, Novelty]:
         """Return what weighs the parts, fitted to the chosen fruit as they may be met, not only as they were."""
@@ -85,8 +85,8 @@ class HeldOut:
         logs = [weighing.log_probabilities(one) for one in met]
         doubts = [-log.max() for log, kind in zip(logs, kinds, strict=True) if log.argmax() == kind]
         own = [one.distances[:, self.kinds[row]] for row in rows for one in self.moved[row]]
-        distances = np.array(own).reshape(len(rows), LIGHTS, self.foreign.shape[1])
-        return weighing, fit_novelty(distances, self.foreign, np.array(doubts))
+        distances = np.array(own).reshape(len(rows), LIGHTS, self.sets)
+        return weighing, fit_novelty(distances, np.array(doubts))
 
 
 def hold_out(
@@ -116,13 +116,13 @@ def hold_out(
             moved += [_judged(core, fruit, row, _moves(fruit, random)) for row in out]
         done((one + 1) / FOLDS)
     at = np.array(rows, dtype=np.intp)
-    foreign = foreign_distances(fruit, strength, strangers)
-    return HeldOut(at, tuple(scores), tuple(moved), fruit.kinds[at], fold[at], foreign)
+    sets = len(axis_sets(fruit.names)) + 1
+    return HeldOut(at, tuple(scores), tuple(moved), fruit.kinds[at], fold[at], sets)
 
 
 def _moves(fruit: FruitSet, random: np.random.Generator) -> F64:
     changes = borne_changes(fruit.names)
-    return np.asarray(random.standard_normal((LIGHTS, len(changes))) @ changes)
+    return np.asarray(random.uniform(-(3.0**0.5), 3.0**0.5, (LIGHTS, len(changes))) @ changes)
 
 
 def _judged(core: Core, fruit: FruitSet, row: int, moves: F64) -> tuple[Scores, ...]:
@@ -130,26 +130,3 @@ def _judged(core: Core, fruit: FruitSet, row: int, moves: F64) -> tuple[Scores, 
     views, point, count = fruit.views[row], fruit.vectors.points[row], float(fruit.vectors.views[row])
     width = views.shape[1]
     return tuple(core.judge(views + move[:width], point + move, count) for move in moves)
-
-
-def foreign_distances(fruit: FruitSet, strength: float, strangers: FruitVectors | None) -> F64:
-    """Return the distances (S, A) of strangers to the nearest kind: of each kind with that kind left out."""
-    sets = axis_sets(fruit.names)
-    found: list[F64] = []
-    for kind in range(fruit.count):
-        if fruit.count > 1:
-            members = np.flatnonzero(fruit.kinds == kind)
-            found += _nearest(fruit.without(kind), strength, fruit.vectors.take(members), sets)
-    if strangers is not None:
-        found += _nearest(fruit, strength, strangers, sets)
-    return np.array(found).reshape(-1, len(sets))
-
-
-def _nearest(fruit: FruitSet, strength: float, judged: FruitVectors, sets: tuple[Ints, ...]) -> list[F64]:
-    """Return each fruit's distances (A,) to the kind that is nearest in all axes together."""
-    density = fit_densities(fruit, strength)
-    nearest: list[F64] = []
-    for point, views in zip(judged.points, judged.views, strict=True):
-        distances = np.array([density.judge(point, float(views), axes)[0] for axes in sets])
-        nearest.append(distances[:, int(distances[0].argmin())])
-    return nearest

@@ -53,12 +53,12 @@ class Core:
         # A value beyond ten times the spread says no more than that it is wild; the mean says nothing.
         rows = np.nan_to_num(np.clip((steady - self.centre) / self.unit, -10.0, 10.0), nan=0.0)
         sets = axis_sets(self.names)
-        judged = [self.density.judge(point, views, axes) for axes in sets]
+        fruit = self.density.judge(point, views, sets[0])[1]
         stranger = -np.inf
         if self.strangers is not None:
             stranger = float(self.strangers.judge(point, views, sets[0])[1].max())
         mean = self.network.log_probabilities(rows).mean(axis=0)
-        return Scores(mean, judged[0][1], np.array([distances for distances, _ in judged]), stranger)
+        return Scores(mean, fruit, self.density.distances(point, views, sets), stranger)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

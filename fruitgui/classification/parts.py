@@ -97,7 +97,7 @@ def from_parts(settings: Mapping[str, Any], arrays: Mapping[str, Any], names: Fe
         _strangers(reader, density),
     )
     weighing = Weighing(reader.number("weighing", "views", 0.0, 1e3), reader.number("weighing", "fruit", 0.0, 1e3))
-    return KindModel(kinds, core, weighing, _novelty(reader, len(axis_sets(names))))
+    return KindModel(kinds, core, weighing, _novelty(reader, len(axis_sets(names)) + 1))
 
 
 def _density(reader: _Reader, depth: int, count: int) -> Density:

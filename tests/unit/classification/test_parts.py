@@ -1,15 +1,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from fruitgui.classification.account import Training
-from fruitgui.classification.evidence import UNKNOWN, FeatureNames, LabelledFruit
+from fruitgui.classification.density import fruit_vectors
+from fruitgui.classification.evidence import UNKNOWN, FeatureNames
+from fruitgui.classification.fitting import around
 from fruitgui.classification.model import KindModel
 from fruitgui.classification.parts import from_parts, to_parts
-from fruitgui.classification.training import train
 from fruitgui.errors import InputError
 from tests.unit.classification.orchard import NAMES, Orchard
 
@@ -21,13 +23,13 @@ def test_a_model_survives_its_parts(trained: Training[KindModel], orchard: Orcha
         assert again.vote(one.evidence) == trained.model.vote(one.evidence)
 
 
-def test_strangers_survive_too(orchard: Orchard) -> None:
-    fruit = orchard.harvest(each=3, views=3, seed=2)
-    strange = LabelledFruit("hand", UNKNOWN, orchard.fruit(0, 3, np.random.default_rng(1)))
-    model = train([*fruit, strange], NAMES).model
+def test_strangers_survive_too(trained: Training[KindModel], orchard: Orchard) -> None:
+    strange = orchard.fruit(0, 3, np.random.default_rng(1))
+    core = trained.model.core
+    model = replace(trained.model, core=replace(core, strangers=around(core.density, fruit_vectors([strange], NAMES))))
     again = from_parts(*to_parts(model), NAMES)
-    assert again.vote(strange.evidence) == model.vote(strange.evidence)
-    assert again.vote(strange.evidence).kind == UNKNOWN
+    assert again.vote(strange) == model.vote(strange)
+    assert again.vote(strange).kind == UNKNOWN
 
 
 def test_other_features_mean_training_again(trained: Training[KindModel]) -> None:
