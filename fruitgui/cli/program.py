@@ -58,7 +58,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return code
 
 
+def _one_thread_per_matrix() -> None:
+    """Keep small matrix products on one core: handing them to several takes longer than doing them.
+
+    Takes effect because nothing has loaded numpy yet; what a person set stays.
+    """
+    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
+
+
 def _run(given: list[str], console: Console) -> int:
+    _one_thread_per_matrix()
     try:
         options = parser().parse_args(given)
     except SystemExit as done:  # --help and --version end here
