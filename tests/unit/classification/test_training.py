@@ -111,16 +111,16 @@ def test_one_kind_alone_is_told_from_what_it_is_not(orchard: Orchard, each: int)
     assert found.model.vote(far).kind == UNKNOWN
 
 
-def test_things_labelled_unknown_are_learned_from(orchard: Orchard) -> None:
+def test_things_labelled_unknown_are_learned_from(trained: Training[KindModel], orchard: Orchard) -> None:
     """A stranger between two kinds, near enough to pass, is rejected once such strangers were shown."""
     fruit = orchard.harvest(each=15, views=8, seed=3)
     near = Orchard(orchard.means[:2].mean(axis=0, keepdims=True) * 0.9, orchard.mixing * 0.5, orchard.fused[:1])
     strangers = [
         LabelledFruit(f"stranger {n}", UNKNOWN, one.evidence) for n, one in enumerate(near.harvest(12, 8, seed=4))
     ]
-    without, taught = train(fruit, NAMES, seed=1), train([*fruit, *strangers], NAMES, seed=1)
+    taught = train([*fruit, *strangers], NAMES, seed=1)
     new = near.harvest(each=40, views=8, seed=5)
-    found = [sum(training.model.vote(one.evidence).kind == UNKNOWN for one in new) for training in (without, taught)]
+    found = [sum(training.model.vote(one.evidence).kind == UNKNOWN for one in new) for training in (trained, taught)]
     assert found[1] > found[0]
     assert found[1] >= 0.9 * len(new)
     assert taught.confusion.counts[-1].sum() == 12
