@@ -22,9 +22,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fruitgui.frame import F32, F64, Bools
+from fruitgui.frame import F64, Bools
 from fruitgui.perception.limits import DepthLimits
-from fruitgui.perception.pixels import Pixels
+from fruitgui.perception.pixels import Binned, Pixels
 from fruitgui.perception.settings import PerceptionSettings
 
 TOWARDS_SENSOR = 2.0 - 3.0 * np.pi / 8.0
@@ -36,6 +36,9 @@ ASYMMETRY = 0.012
 TOP_PART = 0.95
 """Quantile of the heights that stands for the top; a ball reaches 2.5 % of its radius higher."""
 
+HIGHEST_M = 0.256
+"""Heights are told apart up to here."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Centres:
@@ -44,59 +47,77 @@ class Centres:
     Attributes:
         centre_m, mean_m: (N, 3).
         centre_covariance_m2, mean_covariance_m2: (N, 3, 3).
-        top_m: (N,) height above the belt.
+        seen: (N,) sampled pixels with a sound reading.
     """
 
     centre_m: F64
     centre_covariance_m2: F64
     mean_m: F64
     mean_covariance_m2: F64
+    seen: F64
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Heights:
+    """How high N fruit are seen above the belt.
+
+    Attributes:
+        top_m: (N,) of the highest points, at least 1 mm.
+        spread_m: (N, 3) a fifth, half and four fifths of the points are not higher.
+    """
+
     top_m: F64
+    spread_m: F64
+
+
+def find_heights(pixels: Pixels) -> Heights:
+    """Return the heights of all fruit."""
+    valid = pixels.valid > 0
+    inner = valid & (pixels.edge_px > 1.5)
+    rows = [Binned(pixels.height_m, 0.0, HIGHEST_M, counted) for counted in (inner, valid)]
+    high, spread = pixels.runs.quantiles(rows, (0.2, 0.5, 0.8, TOP_PART))
+    return Heights(np.maximum(high[:, 3] * (1.0 + 0.25 * (1.0 - TOP_PART)), 1e-3), spread[:, :3])
 
 
 def find_centres(
-    pixels: Pixels, length_m: F64, whole: Bools, limits: DepthLimits, settings: PerceptionSettings
+    pixels: Pixels, top_m: F64, length_m: F64, whole: Bools, limits: DepthLimits, settings: PerceptionSettings
 ) -> Centres:
     """Return where the fruit are.
 
     Args:
         pixels: of all fruit.
+        top_m: (N,) height of their tops above the belt.
         length_m: (N,) rough length of each, for the spread of what is not symmetric.
         whole: (N,) seen whole; what is cut or hidden gets the uncertainty that it deserves.
         limits: of the sensor.
         settings: noise of the sensor.
     """
-    top_m = find_tops(pixels)
     weight = pixels.edge_px
     sound = weight * pixels.valid
-    total, x, y, seen, height = pixels.sums(
-        weight, weight * pixels.ray_x, weight * pixels.ray_y, sound, sound * pixels.height_m
-    )
-    total, seen = np.maximum(total, 1e-9), np.maximum(seen, 1e-9)
+    total, x, y, weighed, height, *means = pixels.runs.sums(
+        weight, weight * pixels.ray_x, weight * pixels.ray_y, sound, sound * pixels.height_m,
+        pixels.valid, pixels.x_m, pixels.y_m, pixels.depth_m,
+    )  # fmt: skip
+    total = np.maximum(total, 1e-9)
     ray = np.stack([x / total, y / total, np.ones_like(x)], axis=1)
     slope = np.maximum(-(ray @ limits.turn[2]), 1e-3)
-    sine = slope / np.linalg.norm(ray, axis=1)
-    middle_m = np.clip(height / seen / (1.0 + TOWARDS_SENSOR * sine), 0.35 * top_m, 0.55 * top_m)
+    sine = slope / np.sqrt((ray * ray).sum(axis=1))
+    middle_m = height / np.maximum(weighed, 1e-9) / (1.0 + TOWARDS_SENSOR * sine)
+    middle_m = np.minimum(np.maximum(middle_m, 0.35 * top_m), 0.55 * top_m)
     centre = ray * ((limits.offset_m - middle_m) / slope)[:, None]
-    mean, mean_covariance = _means(pixels, limits, settings)
+    mean, mean_covariance = _means(np.array(means), pixels.every, limits, settings)
     covariance = _covariances(centre, sine, length_m, whole, limits, settings)
-    return Centres(centre, covariance, mean, mean_covariance, top_m)
+    return Centres(centre, covariance, mean, mean_covariance, means[0])
 
 
-def find_tops(pixels: Pixels) -> F64:
-    """Return the height of the highest points of each fruit above the belt, (N,), at least 1 mm."""
-    inner = (pixels.valid * (pixels.edge_px > 1.5)).astype(np.float32)
-    high = pixels.quantiles(pixels.height_m, inner, 0.0, 0.256, (TOP_PART,))[:, 0]
-    return np.asarray(np.maximum(high * (1.0 + 0.25 * (1.0 - TOP_PART)), 1e-3))
+def _means(sums: F64, every: int, limits: DepthLimits, settings: PerceptionSettings) -> tuple[F64, F64]:
+    """Return the mean of the seen points and its covariance: neighbouring errors are one error (method 1.2).
 
-
-def _means(pixels: Pixels, limits: DepthLimits, settings: PerceptionSettings) -> tuple[F64, F64]:
-    """Return the mean of the seen points and its covariance: neighbouring errors are one error (method 1.2)."""
-    z_m: F32 = pixels.depth_m
-    seen, x, y, z = pixels.sums(pixels.valid, pixels.ray_x * z_m, pixels.ray_y * z_m, z_m)
-    seen = np.maximum(seen, 1.0)
-    mean = np.stack([x, y, z], axis=1) / seen[:, None]
-    patches = np.maximum(seen * pixels.every / 50.0, 1.0)
+    `sums` (4, N): how many points, and the sums of their x, y and z.
+    """
+    seen = np.maximum(sums[0], 1.0)
+    mean = (sums[1:] / seen).T
+    patches = np.maximum(seen * every / 50.0, 1.0)
     away = mean[:, 2]
     along = (settings.noise_at_m(away) ** 2 + settings.step_at_m(away) ** 2 / 12.0) / patches + (0.5e-3 * away) ** 2
     across = (0.5 * away / limits.focal_px) ** 2
@@ -117,6 +138,7 @@ def _covariances(
 
 def _about_ray(points: F64, along: F64, across: F64) -> F64:
     """Return covariances (N, 3, 3) with variance `along` the line of sight and `across` at right angles to it."""
-    direction = points / np.maximum(np.linalg.norm(points, axis=1), 1e-9)[:, None]
-    outer = direction[:, :, None] * direction[:, None, :]
-    return np.asarray(across[:, None, None] * np.eye(3) + (along - across)[:, None, None] * outer)
+    square = np.maximum((points * points).sum(axis=1), 1e-18)
+    covariance = points[:, :, None] * (points * ((along - across) / square)[:, None])[:, None, :]
+    covariance[:, [0, 1, 2], [0, 1, 2]] += across[:, None]
+    return np.asarray(covariance)

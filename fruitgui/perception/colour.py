@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from fruitgui.frame import F32, F64, U8, Ints
-from fruitgui.perception.limits import DepthLimits
-from fruitgui.perception.pixels import Pixels, grouped_quantiles, grouped_sums
+from fruitgui.frame import F32, F64, U8
+from fruitgui.perception.limits import DepthLimits, half_of
+from fruitgui.perception.pixels import Binned, Pixels, Runs
 
 CHROMA_NAMES = (
     "chroma_red_green_p10",
@@ -73,8 +73,7 @@ def calm_picture(color: U8, limits: DepthLimits) -> U8:
     Single pixels' shot noise would look like colour: spreads and saturation grow by many of their own spreads
     between 500 and 120 lx. Pixels three from a fruit's edge still see nothing but the fruit.
     """
-    rows, columns = limits.shape
-    half = cv2.resize(color[limits.crop], (max(columns // 2, 1), max(rows // 2, 1)), interpolation=cv2.INTER_LINEAR)
+    half = cv2.resize(color[limits.crop], half_of(*limits.shape)[::-1], interpolation=cv2.INTER_LINEAR)
     return np.asarray(cv2.blur(half, (3, 3)))
 
 
@@ -108,44 +107,40 @@ def colour_features(pixels: Pixels, calm: U8, belt: BeltColour, limits: DepthLim
         belt: its colour in the same picture.
         limits: of the sensor.
     """
-    rows, columns = calm.shape[:2]
-    deepest = np.maximum.reduceat(pixels.edge_px, np.minimum(pixels.starts, len(pixels.edge_px) - 1))
-    enough = np.minimum(3.0, 0.5 * deepest).astype(np.float32).take(pixels.owner)
+    enough = pixels.runs.spread(np.minimum(3.0, 0.5 * pixels.deepest_px))
     inner = np.flatnonzero(pixels.edge_px > enough)
-    row, column = np.divmod(pixels.index.take(inner), limits.shape[1])
-    row, column = np.minimum(row >> 1, rows - 1), np.minimum(column >> 1, columns - 1)
-    beside = np.minimum(column + STEP, columns - 1)
-    picture = calm.reshape(-1, 3)
-    rgb = picture.take(row * columns + column, axis=0)
-    step = np.where(pixels.beside_px.take(inner) > 3.0, picture[:, 1].take(row * columns + beside), rgb[:, 1])
-    return _Inner(pixels.owner.take(inner), pixels.fruit, rgb, step).features(belt)
+    runs = Runs.of(np.diff(inner.searchsorted(pixels.runs.starts + pixels.runs.counts), prepend=0))
+    place = limits.calm.take(pixels.index.take(inner))
+    red, green, blue = (channel.reshape(-1) for channel in cv2.split(calm))
+    own = green.take(place)
+    beside = np.where(pixels.beside_px.take(inner) > 3.0, green.take(place + STEP, mode="clip"), own)
+    return _Inner(runs, red.take(place), own, blue.take(place), beside).features(belt)
 
 
 class _Inner:
     """Inner pixels of all fruit, sorted by fruit; M pixels."""
 
-    def __init__(self, owner: Ints, fruit: int, rgb: U8, beside: U8) -> None:
-        self._owner, self._fruit = owner, fruit
-        red, green, blue = rgb.T.astype(np.intp)
-        self._levels: F32 = np.ascontiguousarray(rgb.T, dtype=np.float32)
-        self._log_beside = LOGARITHM.take(beside)
-        self._counts = np.bincount(owner, minlength=fruit)
-        self._starts = np.concatenate([[0], np.cumsum(self._counts)[:-1]]).astype(np.intp)
+    def __init__(self, runs: Runs, red: U8, green: U8, blue: U8, beside: U8) -> None:
+        self._runs = runs
+        self._red, self._green, self._blue = red.astype(np.float32), green.astype(np.float32), blue.astype(np.float32)
         self._log_green = LOGARITHM.take(green)
         self._red_green = LOGARITHM.take(red) - self._log_green
         self._blue_green = LOGARITHM.take(blue) - self._log_green
+        self._step = np.minimum(np.abs(LOGARITHM.take(beside) - self._log_green), np.float32(0.7))
 
     def _means(self, *values: F32) -> F64:
-        return grouped_sums(self._starts, self._counts, *values) / np.maximum(self._counts, 1)
-
-    def _quantiles(self, values: F32, low: float, high: float) -> F64:
-        return grouped_quantiles(self._owner, self._fruit, values, None, (low, high), (0.1, 0.5, 0.9))
+        return np.asarray(self._runs.sums(*values) / np.maximum(self._runs.counts, 1))
 
     def features(self, belt: BeltColour) -> F64:
         """Return (N, 26) in the order of `COLOUR_NAMES`."""
-        red_green = self._quantiles(self._red_green, -3.0, 3.0)
-        blue_green = self._quantiles(self._blue_green, -4.0, 2.0)
-        value = self._quantiles(self._log_green, 1.0, 5.6)
+        red_green, blue_green, value = self._runs.quantiles(
+            [
+                Binned(self._red_green, -3.0, 3.0),
+                Binned(self._blue_green, -4.0, 2.0),
+                Binned(self._log_green, 1.0, 5.6),
+            ],
+            (0.1, 0.5, 0.9),
+        )
         columns = [
             *red_green.T,
             *blue_green.T,
@@ -161,7 +156,7 @@ class _Inner:
 
     def _chromaticity(self) -> list[F64]:
         """Return shares of red and green with their spread, the mean hue as a vector, and saturation."""
-        red, green, blue = self._levels
+        red, green, blue = self._red, self._green, self._blue
         scale = np.float32(1.0) / (red + green + blue + np.float32(3.0 * DARK_LEVEL))
         r, g = (red + np.float32(DARK_LEVEL)) * scale, (green + np.float32(DARK_LEVEL)) * scale
         cosine, sine = (red - (green + blue) * np.float32(0.5)) * scale, (green - blue) * (np.float32(0.866) * scale)
@@ -175,10 +170,9 @@ class _Inner:
 
     def _texture(self, value: F64) -> list[F64]:
         """Return how uneven brightness is, over the fruit and from pixel to pixel, beside its own mean."""
-        green = self._levels[1]
-        step = np.minimum(np.abs(self._log_beside - self._log_green), np.float32(0.7))
-        shiny = (self._log_green > (value[:, 1] + 0.5).astype(np.float32).take(self._owner)).astype(np.float32)
-        mean, square, step_mean, shiny_mean = self._means(green, green * green, step, shiny)
+        green = self._green
+        shiny = (self._log_green > self._runs.spread(value[:, 1] + 0.5)).astype(np.float32)
+        mean, square, step_mean, shiny_mean = self._means(green, green * green, self._step, shiny)
         spread = _spread(mean, square) / (mean + DARK_LEVEL)
         return [spread, value[:, 0] - value[:, 1], value[:, 2] - value[:, 1], step_mean, shiny_mean]
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
@@ -25,12 +24,15 @@ class DepthLimits:
         slope: (h, w) float32; height above the belt is offset_m − slope · depth_m.
         offset_m: height of the sensor above the belt.
         ray_x, ray_y: (h·w,) float32, x/z and y/z of every pixel.
-        pixels: (h·w,) index of every pixel in the flattened picture.
+        grid: (h, w) index of every pixel in the flattened crop.
+        calm: (h·w,) index of every pixel in the flattened crop at half its size.
         belt_z_m: median distance of the belt along z inside the crop.
         focal_px: geometric mean of the focal lengths.
         turn: (3, 3) rotation from the optical frame to the belt's (z up).
         edges: (E, 3) half-planes m·(x, y, 1) ≥ 0 of the region in the belt frame; E = 0 without a region.
         inset_m: how far inside the region's edge fruit are looked for.
+        edge_m: nearer to the region's edge than this, a fruit may be cut by it.
+        near_edge: (h·w,) whether anything that stands on the belt can be so near, seen by a pixel.
     """
 
     crop: tuple[slice, slice]
@@ -40,37 +42,28 @@ class DepthLimits:
     offset_m: float
     ray_x: F32
     ray_y: F32
-    pixels: Ints
+    grid: Ints
+    calm: Ints
     belt_z_m: float
     focal_px: float
     turn: F64
     edges: F64
     inset_m: float
+    edge_m: float
+    near_edge: Bools
 
     @property
     def shape(self) -> tuple[int, int]:
         """Rows and columns of the crop."""
         return (int(self.nearest_mm.shape[0]), int(self.nearest_mm.shape[1]))
 
-    def thinned(self, down: int, across: int) -> Ints:
-        """Return the indices, in the flattened crop, of every `down`-th row's every `across`-th pixel."""
-        return _thinned(*self.shape, down, across)
-
     def inside_m(self, points_m: F64) -> F64:
         """Return how far points (N, 3) of the optical frame are inside the region's edge, (N,); inf without one."""
-        if len(self.edges) == 0:
-            return np.full(len(points_m), np.inf)
-        flat = points_m @ self.turn[:2].T
-        return np.asarray((flat @ self.edges[:, :2].T + self.edges[:, 2]).min(axis=1))
+        return _inside_m(points_m, self.turn, self.edges)
 
     def pixels_of(self, length_m: float, z_m: float) -> float:
         """Return how many pixels a length at distance z spans."""
         return length_m * self.focal_px / z_m
-
-
-@lru_cache(maxsize=64)
-def _thinned(rows: int, columns: int, down: int, across: int) -> Ints:
-    return np.arange(rows * columns, dtype=np.intp).reshape(rows, columns)[::down, ::across].reshape(-1)
 
 
 def depth_limits(intrinsics: Intrinsics, surface: Surface, settings: PerceptionSettings) -> DepthLimits:
@@ -86,9 +79,11 @@ def depth_limits(intrinsics: Intrinsics, surface: Surface, settings: PerceptionS
     nearest_mm = np.where(usable, np.clip(np.ceil(nearest * 1e3), 1, FARTHEST_MM), 1).astype(np.uint16)
     farthest_mm = np.where(usable, np.clip(np.floor(farthest * 1e3), 0, FARTHEST_MM), 0).astype(np.uint16)
     crop = _bounding(farthest_mm >= nearest_mm)
-    index = np.arange(intrinsics.width * intrinsics.height, dtype=np.intp).reshape(intrinsics.height, -1)
     inside = (farthest_mm >= nearest_mm)[crop]
     belt_z = plane.offset_m / np.maximum(slope[crop], 1e-3)
+    belt_z_m = float(np.median(belt_z[inside])) if inside.any() else float(plane.offset_m)
+    focal_px = float(np.sqrt(intrinsics.fx * intrinsics.fy))
+    edge_m = inset_m + 2.0 * belt_z_m / focal_px
     return DepthLimits(
         crop=crop,
         nearest_mm=np.ascontiguousarray(nearest_mm[crop]),
@@ -97,13 +92,22 @@ def depth_limits(intrinsics: Intrinsics, surface: Surface, settings: PerceptionS
         offset_m=float(plane.offset_m),
         ray_x=rays[crop][..., 0].astype(np.float32).reshape(-1),
         ray_y=rays[crop][..., 1].astype(np.float32).reshape(-1),
-        pixels=np.ascontiguousarray(index[crop].reshape(-1)),
-        belt_z_m=float(np.median(belt_z[inside])) if inside.any() else float(plane.offset_m),
-        focal_px=float(np.sqrt(intrinsics.fx * intrinsics.fy)),
+        grid=np.arange(inside.size, dtype=np.intp).reshape(inside.shape),
+        calm=_at_half(*inside.shape),
+        belt_z_m=belt_z_m,
+        focal_px=focal_px,
         turn=plane.frame().rotation,
         edges=edges,
         inset_m=inset_m,
+        edge_m=edge_m,
+        near_edge=_near_edge(rays[crop], nearest_mm[crop], farthest_mm[crop], plane.frame().rotation, edges, edge_m),
     )
+
+
+def _inside_m(points_m: F64, turn: F64, edges: F64) -> F64:
+    if len(edges) == 0:
+        return np.full(len(points_m), np.inf)
+    return np.asarray((points_m @ (edges[:, :2] @ turn[:2]).T + edges[:, 2]).min(axis=1))
 
 
 def _height_limits(slope: F64, offset_m: float, settings: PerceptionSettings) -> tuple[F64, F64]:
@@ -153,6 +157,29 @@ def _within_region(nearest: F64, farthest: F64, rays: F64, plane: Plane, edges: 
         farthest = np.where(rate < 0, np.minimum(farthest, crossing), farthest)
         farthest = np.where((rate == 0) & (edge[2] < 0), 0.0, farthest)
     return nearest, farthest
+
+
+def _near_edge(rays: F64, nearest_mm: U16, farthest_mm: U16, turn: F64, edges: F64, edge_m: float) -> Bools:
+    """Tell which pixels (h·w,) may see something within `edge_m` of the region's edge.
+
+    How far inside a point is, is concave along a ray: least at either end of what is looked at.
+    """
+    flat = np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=2).reshape(-1, 3)
+    near = np.zeros(len(flat), dtype=bool)
+    for end_mm in (nearest_mm, farthest_mm):
+        near |= _inside_m(flat * (1e-3 * end_mm.reshape(-1, 1)), turn, edges) < edge_m
+    return near
+
+
+def half_of(rows: int, columns: int) -> tuple[int, int]:
+    """Return rows and columns of a picture at half its size."""
+    return max(rows // 2, 1), max(columns // 2, 1)
+
+
+def _at_half(rows: int, columns: int) -> Ints:
+    height, width = half_of(rows, columns)
+    down, across = np.minimum(np.arange(rows) // 2, height - 1), np.minimum(np.arange(columns) // 2, width - 1)
+    return np.asarray(down[:, None] * width + across).reshape(-1)
 
 
 def _bounding(usable: Bools) -> tuple[slice, slice]:

@@ -32,11 +32,6 @@ class Outlines:
     starts: Ints
     counts: Ints
 
-    def boxes(self) -> NDArray[np.int32]:
-        """Return the smallest and largest u and v of each outline, (N, 4): left, top, right, bottom."""
-        low = np.minimum.reduceat(self.places, self.starts, axis=0)
-        return np.hstack([low, np.maximum.reduceat(self.places, self.starts, axis=0)])
-
 
 def joined(contours: tuple[Contour, ...]) -> Outlines:
     """Return outlines (at least one) laid one after another."""

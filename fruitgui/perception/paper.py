@@ -8,12 +8,12 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from fruitgui.frame import F32, F64, U8, U16, Intrinsics
+from fruitgui.frame import F32, F64, U8, Intrinsics
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.outline import Contour, ellipse_error
+from fruitgui.perception.parts import Parts, with_parts
 from fruitgui.perception.segment import Groups
 from fruitgui.perception.settings import PerceptionSettings
-from fruitgui.perception.split import Parts, with_parts
 from fruitgui.perception.view import FruitView
 
 PAPER_FEATURE_NAMES: tuple[str, ...] = (
@@ -129,8 +129,8 @@ class KMeansSplitter:
         self._area_px = (low * pixels_per_m2, high * pixels_per_m2)
         self._most_error = settings.paper_ellipse_error
 
-    def __call__(self, groups: Groups, depth_mm: U16) -> Parts:  # noqa: ARG002 (the source looks at pixels only)
-        """Return the fruit in the groups of a depth image (height, width)."""
+    def __call__(self, groups: Groups) -> Parts:
+        """Return the fruit in the groups of a frame; the source looks at their outlines only."""
         cuts = {
             number: self._pieces(contour)
             for number, contour in enumerate(groups.contours)

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import cv2
 import numpy as np
 
 from fruitgui.errors import InputError
-from fruitgui.frame import F32, F64, U8, U16, Bools, Frame, Intrinsics
+from fruitgui.frame import U8, U16, Bools, Frame, Intrinsics
 from fruitgui.geometry.plane import Surface
-from fruitgui.perception.centre import Centres, find_centres
+from fruitgui.perception.centre import Centres, Heights, find_centres, find_heights
 from fruitgui.perception.colour import belt_colour, calm_picture, colour_features
 from fruitgui.perception.features import shape_features
 from fruitgui.perception.limits import depth_limits
-from fruitgui.perception.outline import fit_ellipses, joined
+from fruitgui.perception.outline import Ellipses, fit_ellipses, joined
+from fruitgui.perception.parts import Parts, Splitter
 from fruitgui.perception.pixels import Pixels, gather_pixels
 from fruitgui.perception.segment import Segmenter
 from fruitgui.perception.settings import PerceptionSettings
-from fruitgui.perception.split import HeightSplitter, Parts, Splitter
+from fruitgui.perception.split import HeightSplitter
 from fruitgui.perception.view import FruitView, Observation
 from fruitgui.perception.views import Seen, build_views
-from fruitgui.perception.wholeness import Places, seen_whole
+from fruitgui.perception.wholeness import seen_whole
 
 
 class Perceiver:
@@ -63,8 +63,8 @@ class Perceiver:
         self._check(frame)
         depth_mm, color = np.ascontiguousarray(frame.depth_mm), np.ascontiguousarray(frame.color)
         groups = self._segmenter.groups(depth_mm)
-        parts = self._splitter(groups, depth_mm)
-        views = self._views(frame, depth_mm, color, groups.solid, parts) if parts.contours else ()
+        parts = self._splitter(groups)
+        views = self._views(frame, depth_mm, color, groups.standing_mm, parts) if parts.contours else ()
         return Observation(frame.sensor, frame.sequence, time_s, views)
 
     def _check(self, frame: Frame) -> None:
@@ -77,55 +77,33 @@ class Perceiver:
                 "Calibrate the station with a recording of the same resolution.",
             )
 
-    def _views(self, frame: Frame, depth_mm: U16, color: U8, solid: U8, parts: Parts) -> tuple[FruitView, ...]:
+    def _views(self, frame: Frame, depth_mm: U16, color: U8, standing_mm: U16, parts: Parts) -> tuple[FruitView, ...]:
         limits, settings = self._limits, self._settings
-        outlines = joined(parts.contours)
-        boxes = outlines.boxes()
-        pixels = gather_pixels(parts.labels, solid, edge_distance(parts, boxes), depth_mm, limits, len(parts.contours))
-        whole = seen_whole(outlines, parts.labels, solid, depth_mm, limits, self._jump_m)
+        outlines, pixels = joined(parts.contours), gather_pixels(parts, standing_mm, limits)
+        whole, free = seen_whole(outlines, parts, standing_mm, depth_mm, limits, self._jump_m)
         ellipses = fit_ellipses(outlines)
+        heights = find_heights(pixels)
         rough_m = ellipses.axes_px[:, 0] * (limits.belt_z_m / limits.focal_px)
-        centres = find_centres(pixels, rough_m, whole, limits, settings)
-        away_m = centres.centre_m[:, 2]
-        shapes = shape_features(pixels, ellipses, centres.top_m, away_m, limits)
+        centres = find_centres(pixels, heights.top_m, rough_m, whole, limits, settings)
+        shapes = shape_features(pixels, ellipses, heights, centres.centre_m, limits)
         calm = calm_picture(color, limits)
         colours = colour_features(pixels, calm, belt_colour(calm, parts.labels, limits), limits)
-        is_fruit = self._is_fruit(pixels, centres, ellipses.axes_px[:, 0] * away_m / limits.focal_px)
+        is_fruit = self._is_fruit(pixels, heights, centres, ellipses)
+        features = np.hstack([colours, shapes]).astype(np.float32)
         return build_views(
             frame, color, limits, np.flatnonzero(is_fruit).tolist(), settings.max_points,
-            Seen(parts, outlines, pixels, ellipses, centres, whole, np.hstack([colours, shapes]).astype(np.float32)),
+            Seen(parts, outlines, pixels, ellipses, heights, centres, whole, free, features),
         )  # fmt: skip
 
-    def _is_fruit(self, pixels: Pixels, centres: Centres, length_m: F64) -> Bools:
+    def _is_fruit(self, pixels: Pixels, heights: Heights, centres: Centres, ellipses: Ellipses) -> Bools:
         """Tell which groups can be something of a fruit's size, (N,): not noise, not rails."""
-        smallest_m = self._settings.smallest_m
-        deepest = np.maximum.reduceat(pixels.edge_px, np.minimum(pixels.starts, len(pixels.owner) - 1))
-        thickness_m = 2.0 * deepest * centres.centre_m[:, 2] / self._limits.focal_px
+        smallest_m, counts = self._settings.smallest_m, pixels.runs.counts
+        pixel_m = centres.centre_m[:, 2] / self._limits.focal_px
         return np.asarray(
-            (pixels.sums(pixels.valid) >= 0.3 * pixels.counts)
-            & (pixels.counts >= 4)
-            & (length_m <= self._settings.largest_m)
-            & (thickness_m >= 0.5 * smallest_m)
-            & (centres.top_m >= 0.4 * smallest_m)
+            (centres.seen >= 0.3 * counts)
+            & (counts >= 4)
+            & (ellipses.axes_px[:, 0] * pixel_m <= self._settings.largest_m)
+            & (2.0 * pixels.deepest_px * pixel_m >= 0.5 * smallest_m)
+            & (heights.top_m >= 0.4 * smallest_m)
             & (self._limits.inside_m(centres.mean_m) >= 0.4 * smallest_m)
         )
-
-
-def edge_distance(parts: Parts, boxes: Places) -> F32:
-    """Return the distance of every pixel from the edge of its fruit; where two fruit touch is an edge too.
-
-    Args:
-        parts: the fruit.
-        boxes: (N, 4) left, top, right, bottom of their outlines.
-    """
-    inside = cv2.compare(parts.labels, 0, cv2.CMP_GT)
-    touching = [contour for contour, shared in zip(parts.contours, parts.shared.tolist(), strict=True) if shared]
-    if touching:
-        cv2.drawContours(inside, touching, -1, 0, 1)
-    distance = np.zeros(inside.shape, np.float32)
-    # The nearest edge of a fruit's pixel is within its box; its neighbours' pixels there may have a nearer one.
-    for number, (left, top, right, bottom) in enumerate(boxes.tolist()):
-        box = slice(max(top - 1, 0), bottom + 2), slice(max(left - 1, 0), right + 2)
-        mine = cv2.compare(parts.labels[box], number + 1, cv2.CMP_EQ)
-        cv2.copyTo(cv2.distanceTransform(inside[box], cv2.DIST_L2, 3), mine, distance[box])
-    return distance

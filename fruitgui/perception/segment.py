@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -11,6 +12,7 @@ from fruitgui.frame import U8, U16
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.outline import Contour
 from fruitgui.perception.settings import PerceptionSettings
+from fruitgui.perception.tiles import Box
 
 MOST_GROUPS = 254
 """Labels are bytes; a frame with more groups than this keeps the largest."""
@@ -22,13 +24,15 @@ class Groups:
 
     Attributes:
         labels: (h, w) uint8; group i (0-based) carries i + 1, holes filled; 0 is belt.
-        solid: (h, w) uint8; 255 where a depth reading is above the belt, inside the region.
+        standing_mm: (h, w) uint16; depth readings above the belt, inside the region; 0 elsewhere.
         contours: one (K, 1, 2) int32 outline for each group, crop pixels.
+        boxes: one left, top, width and height for each outline.
     """
 
     labels: U8
-    solid: U8
+    standing_mm: U16
     contours: tuple[Contour, ...]
+    boxes: tuple[Box, ...]
 
 
 class Segmenter:
@@ -36,11 +40,12 @@ class Segmenter:
 
     def __init__(self, limits: DepthLimits, settings: PerceptionSettings) -> None:
         self._limits = limits
-        self._settings = settings
         smallest_px = limits.pixels_of(settings.smallest_m, limits.belt_z_m)
         bridge = 2 * int(np.clip(round(smallest_px / 6), 1, 3)) + 1
         self._bridge = cv2.getStructuringElement(cv2.MORPH_RECT, (bridge, bridge))
         thin = 2 * int(np.clip(round(smallest_px / 7), 1, 4)) + 1
+        z_m = limits.offset_m / np.maximum(limits.slope, 1e-3)
+        self._least_area = 0.5 * np.pi / 4.0 * (settings.smallest_m * limits.focal_px / z_m) ** 2
         self._thin = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (thin, thin))
 
     def groups(self, depth_mm: U16) -> Groups:
@@ -51,10 +56,8 @@ class Segmenter:
         opened = cv2.morphologyEx(bridged, cv2.MORPH_OPEN, self._thin)
         contours, _ = cv2.findContours(opened, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
         kept = self._large_enough(contours)
-        labels = np.zeros(self._limits.shape, np.uint8)
-        for number, contour in enumerate(kept):
-            cv2.drawContours(labels, [contour], 0, number + 1, cv2.FILLED)
-        return Groups(labels, solid, kept)
+        boxes = tuple(cv2.boundingRect(contour) for contour in kept)
+        return Groups(drawn(kept, self._limits.shape), cv2.copyTo(depth, solid), kept, boxes)
 
     def _over_holes(self, depth: U16, solid: U8) -> U8:
         """Close gaps, but only over missing readings: belt seen between two fruit keeps them apart."""
@@ -62,20 +65,21 @@ class Segmenter:
         missing = cv2.compare(depth, 0, cv2.CMP_EQ)
         return np.asarray(cv2.bitwise_or(solid, cv2.bitwise_and(closed, missing)))
 
-    def _large_enough(self, contours: tuple[Contour, ...]) -> tuple[Contour, ...]:
-        """Keep outlines with at least the pixels of half the smallest fruit, seen at their own distance."""
-        found = []
-        for contour in contours:
-            if len(contour) < 8:
-                continue
-            area = cv2.contourArea(contour)
-            if area >= self._least_area(contour):
-                found.append((area, contour))
-        found.sort(key=lambda pair: -pair[0])
-        return tuple(contour for _, contour in found[:MOST_GROUPS])
+    def _large_enough(self, contours: Sequence[Contour]) -> tuple[Contour, ...]:
+        """Keep outlines with at least the pixels of half the smallest fruit, seen at the belt's distance there."""
+        contours = [contour for contour in contours if len(contour) >= 8]
+        if not contours:
+            return ()
+        area = np.array([cv2.contourArea(contour) for contour in contours])
+        column, row = np.array([contour[0, 0] for contour in contours]).T
+        kept = np.flatnonzero(area >= self._least_area[row, column])
+        largest = kept[np.argsort(-area[kept], kind="stable")][:MOST_GROUPS]
+        return tuple(contours[number] for number in largest.tolist())
 
-    def _least_area(self, contour: Contour) -> float:
-        """Return half the area of the smallest fruit in pixels where the group stands, by the belt's distance there."""
-        column, row = contour[0, 0].tolist()
-        z_m = self._limits.offset_m / max(self._limits.slope.item(row, column), 1e-3)
-        return float(0.5 * np.pi / 4.0 * self._limits.pixels_of(self._settings.smallest_m, z_m) ** 2)
+
+def drawn(contours: tuple[Contour, ...], shape: tuple[int, ...]) -> U8:
+    """Return a picture of outlines filled: i (0-based) carries i + 1."""
+    labels = np.zeros(shape, np.uint8)
+    for number, contour in enumerate(contours):
+        cv2.drawContours(labels, [contour], 0, number + 1, cv2.FILLED)
+    return labels

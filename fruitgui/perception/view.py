@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from fruitgui.frame import F32, F64, U8
+from fruitgui.frame import F32, F64, U8, Bools
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,6 +30,8 @@ class FruitView:
         patch: (40, 40, 3) uint8 RGB, centred on the fruit (the source's patch, and a picture for people).
         whole: seen whole: not cut by the picture's edge or the region's, not hidden by another fruit.
         shared: the outline was cut out of a group of touching fruit.
+        outline_free: (K,) beyond which places of the outline lies bare belt: neither another thing on it, nor the end
+            of the picture or of the region. What of an outline is free is silhouette, whole or not.
     """
 
     sensor: str
@@ -49,6 +51,7 @@ class FruitView:
     patch: U8
     whole: bool
     shared: bool
+    outline_free: Bools
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fruitgui.frame import F32, U8, Bools, Frame, Ints
-from fruitgui.perception.centre import Centres
+from fruitgui.frame import F32, F64, U8, Bools, Frame, Ints
+from fruitgui.perception.centre import Centres, Heights
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.outline import Ellipses, Outlines
+from fruitgui.perception.parts import Parts
 from fruitgui.perception.pixels import Pixels
-from fruitgui.perception.split import Parts
 from fruitgui.perception.view import FruitView
 
 PATCH_PX = 40
@@ -26,8 +26,10 @@ class Seen:
     outlines: Outlines
     pixels: Pixels
     ellipses: Ellipses
+    heights: Heights
     centres: Centres
     whole: Bools
+    free: Bools
     features: F32
 
 
@@ -35,25 +37,26 @@ def build_views(
     frame: Frame, color: U8, limits: DepthLimits, kept: list[int], max_points: int, seen: Seen
 ) -> tuple[FruitView, ...]:
     """Return the views of those fruit whose numbers are `kept`. They share arrays of what was seen of fruit."""
-    corner = np.array([limits.crop[1].start, limits.crop[0].start], dtype=np.int32)
-    outline_px = (seen.outlines.places + corner).astype(np.float32)
-    boxes = (seen.outlines.boxes() + np.tile(corner, 2)).tolist()
-    middles = (seen.ellipses.centre_px + corner).tolist()
+    across, down = limits.crop[1].start, limits.crop[0].start
+    outline_px = seen.outlines.places.astype(np.float32)
+    corner = np.array([across, down], dtype=np.float32)
+    outline_px += corner
+    patches = patches_at(color, seen.ellipses.centre_px + corner)
     areas = seen.ellipses.area_px.astype(np.intp).tolist()
     first, length = seen.outlines.starts.tolist(), seen.outlines.counts.tolist()
-    tops, whole, shared = seen.centres.top_m.tolist(), seen.whole.tolist(), seen.parts.shared.tolist()
+    tops, whole, shared = seen.heights.top_m.tolist(), seen.whole.tolist(), seen.parts.shared.tolist()
     points_m, edge_px, bounds = _points(seen.pixels)
     centres = seen.centres
     views = []
     for n in kept:
-        left, top, right, bottom = boxes[n]
+        left, top, width, height = seen.parts.boxes[n]
         sample = _spread(bounds[n], bounds[n + 1], max_points)
         views.append(
             FruitView(
                 sensor=frame.sensor,
                 sequence=frame.sequence,
                 time_s=frame.time_s,
-                box_px=(left, top, right - left + 1, bottom - top + 1),
+                box_px=(left + across, top + down, width, height),
                 outline_px=outline_px[first[n] : first[n] + length[n]],
                 points_m=points_m[sample],
                 edge_px=edge_px[sample],
@@ -64,9 +67,10 @@ def build_views(
                 mean_covariance_m2=centres.mean_covariance_m2[n],
                 height_m=tops[n],
                 features=seen.features[n],
-                patch=patch_at(color, *middles[n]),
+                patch=patches[n],
                 whole=whole[n],
                 shared=shared[n],
+                outline_free=seen.free[first[n] : first[n] + length[n]],
             )
         )
     return tuple(views)
@@ -75,12 +79,10 @@ def build_views(
 def _points(pixels: Pixels) -> tuple[F32, F32, list[int]]:
     """Return all sound points (Q, 3), their distances from the edge (Q,), and where each fruit's begin and end."""
     sound = np.flatnonzero(pixels.valid)
-    z = pixels.depth_m.take(sound)
     points = np.empty((len(sound), 3), np.float32)
-    np.multiply(pixels.ray_x.take(sound), z, out=points[:, 0])
-    np.multiply(pixels.ray_y.take(sound), z, out=points[:, 1])
-    points[:, 2] = z
-    bounds = np.searchsorted(sound, np.append(pixels.starts, len(pixels.valid)))
+    for axis, values in enumerate((pixels.x_m, pixels.y_m, pixels.depth_m)):
+        points[:, axis] = values.take(sound)
+    bounds = np.searchsorted(sound, np.append(pixels.runs.starts, len(pixels.valid)))
     return points, pixels.edge_px.take(sound), bounds.tolist()
 
 
@@ -91,12 +93,12 @@ def _spread(start: int, end: int, most: int) -> slice | Ints:
     return np.linspace(start, end - 1, most).astype(np.intp)
 
 
-def patch_at(color: U8, u_px: float, v_px: float, size: int = PATCH_PX) -> U8:
-    """Return the (size, size, 3) patch around a point, shifted inwards at the picture's edge."""
+def patches_at(color: U8, middles_px: F64, size: int = PATCH_PX) -> list[U8]:
+    """Return the (size, size, 3) patches around points (N, 2: u, v), shifted inwards at the picture's edge."""
     height, width = color.shape[:2]
-    left = min(max(round(u_px) - size // 2, 0), max(width - size, 0))
-    top = min(max(round(v_px) - size // 2, 0), max(height - size, 0))
-    patch = color[top : top + size, left : left + size].copy()
-    if patch.shape[:2] != (size, size):
-        patch = np.pad(patch, ((0, size - patch.shape[0]), (0, size - patch.shape[1]), (0, 0)), mode="edge")
-    return patch
+    if min(height, width) < size:
+        rest = ((0, max(size - height, 0)), (0, max(size - width, 0)), (0, 0))
+        return patches_at(np.pad(color, rest, mode="edge"), middles_px, size)
+    corners = np.rint(middles_px).astype(np.intp) - size // 2
+    corners = np.minimum(np.maximum(corners, 0), (width - size, height - size)).tolist()
+    return [color[top : top + size, left : left + size].copy() for left, top in corners]

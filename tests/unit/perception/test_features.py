@@ -10,7 +10,7 @@ import pytest
 from fruitgui.frame import F32, U8
 from fruitgui.perception import FEATURE_NAMES
 from fruitgui.perception.outline import ellipse_error, fit_ellipses, joined, solidity
-from fruitgui.perception.pixels import grouped_quantiles, grouped_sums
+from fruitgui.perception.pixels import Binned, Runs
 from fruitgui.perception.view import FruitView
 from tests.unit.perception.spheres import Table, perceiver, row_of_balls, views
 
@@ -80,14 +80,14 @@ def test_colours_of_the_belt_do_not_mix_in() -> None:
 def test_sums_and_quantiles_by_group_are_those_of_each_group() -> None:
     rng = np.random.default_rng(0)
     counts = np.array([400, 0, 900])
-    owner = np.repeat(np.arange(3), counts)
-    starts = np.array([0, 400, 400])
+    runs = Runs.of(counts)
     values = rng.normal(0.5, 0.1, 1300).astype(np.float32)
-    sums = grouped_sums(starts, counts, values)
-    assert sums == pytest.approx([values[:400].sum(), 0.0, values[400:].sum()], rel=1e-5)
-    found = grouped_quantiles(owner, 3, values, None, (0.0, 1.0), (0.1, 0.5))
-    for group, part in ((0, values[:400]), (2, values[400:])):
-        assert found[group] == pytest.approx(np.quantile(part, [0.1, 0.5]), abs=0.01)
+    assert runs.sums(values)[0] == pytest.approx([values[:400].sum(), 0.0, values[400:].sum()], rel=1e-5)
+    low = values < 0.5
+    all_of_them, lower = runs.quantiles([Binned(values, 0.0, 1.0), Binned(values, -1.0, 1.0, low)], (0.1, 0.5))
+    for group, part in ((0, slice(400)), (2, slice(400, None))):
+        assert all_of_them[group] == pytest.approx(np.quantile(values[part], [0.1, 0.5]), abs=0.01)
+        assert lower[group] == pytest.approx(np.quantile(values[part][low[part]], [0.1, 0.5]), abs=0.02)
 
 
 def circle(radius: int, centre: int = 60) -> np.ndarray:

@@ -60,6 +60,31 @@ def _farther(front: Ball, step: float) -> bool:
     return bool(far > near)
 
 
+def test_an_outline_is_free_but_where_something_else_begins() -> None:
+    lone = views(row_of_balls((0.035,), 0.0))[0]
+    assert len(lone.outline_free) == len(lone.outline_px)
+    assert lone.outline_free.all()
+    table = row_of_balls((0.035, 0.035), 0.0, tilt_rad=0.3)
+    left, right = sorted(views(table), key=lambda view: view.centre_m[0])
+    assert left.shared
+    for view, towards in ((left, 1.0), (right, -1.0)):
+        beside = towards * (view.outline_px[:, 0] - view.outline_px[:, 0].mean())
+        far = np.ptp(beside) / 2
+        assert view.outline_free[beside < 0.6 * far].all()
+        # Where the cut meets the belt a place may look past the other ball.
+        assert view.outline_free[beside > 0.95 * far].mean() < 0.1
+
+
+def test_where_the_picture_ends_an_outline_is_not_free() -> None:
+    ball = row_of_balls((0.035,), 0.0, tilt_rad=0.0).balls[0]
+    edge = views(Table((Ball(ball.x_m + 0.61, ball.y_m, 0.035),), tilt_rad=0.0))[0]
+    at_end = (edge.outline_px[:, 0] < 1) | (edge.outline_px[:, 0] > 638)
+    inside = (edge.outline_px[:, 0] > 5) & (edge.outline_px[:, 0] < 634)
+    assert at_end.any()
+    assert not edge.outline_free[at_end].any()
+    assert edge.outline_free[inside].all()
+
+
 def test_shapes_that_other_sensors_have_work_too() -> None:
     from fruitgui.frame import Intrinsics
 

@@ -191,6 +191,7 @@ class Line:
             patch=patch,
             whole=whole,
             shared=shared,
+            outline_free=np.zeros(0, bool),
         )
 
 

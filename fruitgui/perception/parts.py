@@ -1,0 +1,100 @@
+"""The fruit of a frame once groups are taken apart, however that was done."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import cv2
+import numpy as np
+
+from fruitgui.frame import U8, Bools, Ints
+from fruitgui.perception.outline import Contour, solidity
+from fruitgui.perception.segment import MOST_GROUPS, Groups, drawn
+from fruitgui.perception.tiles import Box
+
+CONVEX = 0.945
+"""An outline that fills this part of its convex hull has no notch where two fruit could meet …"""
+
+CRESCENT = 0.83
+"""A part that fills less of its own hull is a crescent: what shows of a fruit behind another, or a piece of a bowl."""
+
+ROUND = 0.93
+"""A part that fills this much may be the fruit in front. There cannot be more crescents than such."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Parts:
+    """The fruit of a frame, after splitting; N of them.
+
+    Attributes:
+        labels: (h, w) uint8 of the crop; fruit i carries i + 1.
+        contours: N outlines (K, 1, 2) int32, crop pixels.
+        boxes: N times left, top, width and height of the outline.
+        group: (N,) the group that each came from.
+        shared: (N,) whether its group was split.
+    """
+
+    labels: U8
+    contours: tuple[Contour, ...]
+    boxes: tuple[Box, ...]
+    group: Ints
+    shared: Bools
+
+
+class Splitter(Protocol):
+    """One way of taking groups apart."""
+
+    def __call__(self, groups: Groups) -> Parts:
+        """Return the fruit in the groups of a frame."""
+
+
+def unsplit(groups: Groups) -> Parts:
+    """Return every group as one fruit."""
+    count = len(groups.contours)
+    return Parts(groups.labels, groups.contours, groups.boxes, np.arange(count), np.zeros(count, bool))
+
+
+def with_parts(groups: Groups, cuts: dict[int, list[Contour]]) -> Parts:
+    """Return the fruit when some groups are replaced by parts; one without parts is dropped."""
+    if not cuts:
+        return unsplit(groups)
+    found: list[tuple[int, bool, Contour]] = []
+    for number, contour in enumerate(groups.contours):
+        found.extend((number, number in cuts, part) for part in cuts.get(number, [contour]))
+    found = found[:MOST_GROUPS]
+    contours = tuple(contour for _, _, contour in found)
+    return Parts(
+        drawn(contours, groups.labels.shape),
+        contours,
+        tuple(cv2.boundingRect(contour) for contour in contours),
+        np.array([number for number, _, _ in found], dtype=np.intp),
+        np.array([shared for _, shared, _ in found], dtype=bool),
+    )
+
+
+def part_contours(parts: U8, corner: tuple[int, int], least_px: float) -> list[Contour]:
+    """Return the outline of the largest piece of each part.
+
+    Args:
+        parts: (h, w) uint8, 1 … K on the pixels of the parts.
+        corner: column and row of the crop where `parts` begins.
+        least_px: smaller parts are left out.
+    """
+    found = []
+    for part in range(1, int(parts.max()) + 1):
+        alone = cv2.compare(parts, part, cv2.CMP_EQ)
+        outlines, _ = cv2.findContours(alone, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE, offset=corner)
+        largest = max(outlines, key=cv2.contourArea, default=None)
+        if largest is not None and len(largest) >= 8 and cv2.contourArea(largest) >= least_px:
+            found.append(largest)
+    return found
+
+
+def is_sound(group: Contour, parts: list[Contour]) -> bool:
+    """Tell whether a cut leaves several parts, and something convex is not cut into crescents as a bowl would be."""
+    if len(parts) < 2:
+        return False
+    filled = [solidity(part) for part in parts]
+    crescents, rounds = sum(part < CRESCENT for part in filled), sum(part >= ROUND for part in filled)
+    return solidity(group) <= CONVEX or crescents <= rounds
