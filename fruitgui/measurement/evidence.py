@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -11,6 +12,7 @@ from fruitgui.frame import F64, Bools, Ints
 from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.geometry.rotation import rotation_between
+from fruitgui.measurement.samples import LEAST_POINTS, take_samples
 from fruitgui.perception.view import FruitView
 from fruitgui.tracking.track import Sighting, Track
 
@@ -23,13 +25,11 @@ RIM_IN_ALL = 520
 RIM_PER_VIEW = (10, 36)
 RIM_INDEPENDENT = 10.0
 
-EDGE_PX = 3.0
-"""Points nearer to the edge of their picture than this lie: structured light fattens edges by up to two pixels."""
-
-LEAST_POINTS = 8
-
 INDEPENDENT_VIEWS = 40.0
 """What many views have in common (the device's own errors, ragged outlines) does not average out beyond this."""
+
+INDEPENDENT_CUTS = 20.0
+"""Views in which a neighbour touches or hides the fruit repeat each other sooner: it travels along."""
 
 WINDOW_PX2 = 45.0
 """Pixels that share one error: the matching window of a Kinect is 9 × 9, and half its overlap still counts."""
@@ -138,7 +138,8 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
     sensor = np.array([sensors.index(s.view.sensor) for s in chosen])
     points = int(np.clip(POINTS_IN_ALL // len(chosen), *POINTS_PER_VIEW))
     rim = int(np.clip(RIM_IN_ALL // len(chosen), *RIM_PER_VIEW))
-    samples, used = _samples(chosen, sensor, places, points, rim)
+    cameras = [p.mount.intrinsics for p in places]
+    samples, used = take_samples([s.view for s in chosen], [cameras[k] for k in sensor], points, rim)
     z = samples[..., 2]
     rotation = np.stack([p.pose.rotation for p in places])
     place = np.stack([p.pose.translation_m for p in places])[sensor]
@@ -153,7 +154,7 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
         sight=directions / np.linalg.norm(directions, axis=2, keepdims=True),
         depth_sigma_m=z**2 * np.hypot(SIGMA_PER_Z2, STEP_PER_Z2 / np.sqrt(12.0)),
         pixel_m=z / focal[:, None],
-        share=_share(used, points, area_px),
+        share=_share(used, points, area_px, np.array([s.view.shared or not s.view.whole for s in chosen])),
         time_s=times - 0.5 * (times.min() + times.max()),
         sensor=sensor,
         sensors=sensors,
@@ -167,9 +168,11 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
 
 
 def _prefer_whole(sightings: list[Sighting]) -> list[Sighting]:
-    """Leave out views cut by the picture or hidden by a neighbour while enough whole ones remain."""
+    """Leave out views cut by the picture or hidden by a neighbour while enough whole ones of that sensor remain."""
     whole = [s for s in sightings if s.view.whole]
-    return whole if len(whole) >= 6 and 3 * len(whole) >= len(sightings) else sightings
+    counts = Counter(s.view.sensor for s in sightings)
+    enough = {name for name, n in Counter(s.view.sensor for s in whole).items() if n >= 6 and 3 * n >= counts[name]}
+    return [s for s in sightings if s.view.whole or s.view.sensor not in enough]
 
 
 def _spread(sightings: list[Sighting], most: int) -> list[Sighting]:
@@ -210,49 +213,11 @@ def _offset_sigma_m(mount: Mount, middle_m: F64) -> float:
     return float(np.sqrt(variance))
 
 
-def _samples(sightings: list[Sighting], sensor: Ints, places: list[_Place], count: int, rim: int) -> tuple[F64, Bools]:
-    """Return (V, count + rim, 3) samples in their sensors' optical frames, and which are used.
-
-    `count` points away from the edge of each view, then `rim` on the sights
-    along its outline, where that is the fruit's own.
-    """
-    samples = np.empty((len(sightings), count + rim, 3))
-    used = np.zeros(samples.shape[:2], dtype=bool)
-    outline = np.zeros((len(sightings), rim, 2))
-    for row, sighting in enumerate(sightings):
-        view = sighting.view
-        index = _inner(view, count)
-        samples[row, : len(index)] = view.points_m[index]
-        samples[row, len(index) :] = view.centre_m
-        used[row, : len(index)] = True
-        if view.whole and not view.shared and len(view.outline_px) >= 2 * rim:
-            outline[row] = view.outline_px[_evenly(len(view.outline_px), rim)]
-            used[row, count:] = True
-    pixel = np.rint(outline).astype(np.intp)
-    for number, place in enumerate(places):
-        rows = np.flatnonzero((sensor == number) & used[:, -1])
-        camera = place.mount.intrinsics
-        u, v = np.clip(pixel[rows], 0, (camera.width - 1, camera.height - 1)).transpose(2, 0, 1)
-        depth = samples[rows, count:, 2]
-        samples[rows, count:, :2] = camera.rays()[v, u] * depth[..., None]
-    return samples, used
-
-
-def _share(used: Bools, points: int, area_px: F64) -> F64:
-    """Return what each sample (V, M) counts."""
+def _share(used: Bools, points: int, area_px: F64, cut: Bools) -> F64:
+    """Return what each sample (V, M) counts; `cut` are the views (V,) that a neighbour or the picture's edge spoils."""
     share = np.ones(used.shape)
     share[:, :points] = np.minimum(1.0, area_px / (WINDOW_PX2 * np.maximum(used[:, :points].sum(axis=1), 1)))[:, None]
     share[:, points:] = min(1.0, RIM_INDEPENDENT / max(used.shape[1] - points, 1))
-    return np.asarray(share * min(1.0, INDEPENDENT_VIEWS / len(used)))
-
-
-def _evenly(length: int, count: int) -> Ints:
-    """Return `count` indices spread evenly over so many."""
-    return np.asarray(((np.arange(count) + 0.5) * (length / count)).astype(np.intp))
-
-
-def _inner(view: FruitView, count: int) -> Ints:
-    """Return the indices of at most `count` points of a view, away from its edge as far as its size allows."""
-    inner = (view.edge_px >= min(EDGE_PX, 0.45 * float(view.edge_px.max()))).nonzero()[0]
-    index = inner if len(inner) >= LEAST_POINTS else np.arange(len(view.points_m))
-    return index if len(index) <= count else index.take(_evenly(len(index), count))
+    share *= min(1.0, INDEPENDENT_VIEWS / len(used))
+    share[cut] *= min(1.0, INDEPENDENT_CUTS / max(int(np.count_nonzero(cut)), 1))
+    return share

@@ -25,7 +25,7 @@ from fruitgui.tracking.track import Track
 DEGREE = 6
 """Highest degree of the harmonics: necks, hollows and shoulders; finer things hold no volume."""
 
-THIN, COARSE_STEPS, FINE_STEPS = 2, 5, 4
+THIN, COARSE_STEPS, FINE_STEPS = 2, 4, 4
 """The ellipsoid takes every second sample; fewer steps than these leave the length 0.5 mm worse, more gain nothing."""
 
 SEEN_COSINE = 0.35

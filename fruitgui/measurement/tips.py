@@ -11,16 +11,20 @@ from __future__ import annotations
 
 import numpy as np
 
-from fruitgui.frame import F64
+from fruitgui.frame import F64, Bools
 from fruitgui.geometry.rig import Rig
 from fruitgui.measurement.callipers import length_and_diameter
 from fruitgui.measurement.evidence import Evidence
 from fruitgui.measurement.fit import Fit
 from fruitgui.measurement.residuals import LOW_M
+from fruitgui.measurement.samples import evenly, own_places, sights
 from fruitgui.tracking.track import Track
 
 LONG = 1.12
 """Length over diameter from which a fruit has ends."""
+
+PLACES = 120
+"""Places of an outline that are looked at: two pixels apart at most, which loses a tenth of one at an end."""
 
 MOST_VIEWS = 14
 LEAST_VIEWS = 5
@@ -58,36 +62,33 @@ def excess_m(fit: Fit, evidence: Evidence, track: Track, rig: Rig) -> float:
 
 def _exceeding(fit: Fit, evidence: Evidence, track: Track, rig: Rig, directions: F64, surface_m: F64) -> F64:
     """Return how far each outline exceeds the surface along each direction, (V, 4); NaN where it does not show."""
-    place = fit.state.place_m(evidence)
     views = evidence.views_of(track)
-    good = [
-        k
-        for k, view in enumerate(views)
-        if view.whole and not view.shared and len(view.outline_px) >= 8 and fit.view_weight[k] > 0.5
-    ]
+    good = [k for k, view in enumerate(views) if len(view.outline_px) >= 8 and fit.view_weight[k] > 0.5]
     chosen = good[:: max(1, len(good) // MOST_VIEWS)]
-    found = np.full((len(chosen), len(directions)), np.nan)
+    if not chosen:
+        return np.full((0, len(directions)), np.nan)
+    sight, own = np.empty((len(chosen), PLACES, 3)), np.empty((len(chosen), PLACES), dtype=bool)
     for row, k in enumerate(chosen):
-        camera = rig.mounts[views[k].sensor].intrinsics
-        u, v = np.rint(views[k].outline_px).astype(np.intp).T
-        rays = camera.rays()[np.clip(v, 0, camera.height - 1), np.clip(u, 0, camera.width - 1)]
+        around = evenly(len(views[k].outline_px), PLACES)
         axes = evidence.axes[evidence.sensor[k]]
-        sight = rays @ axes[:2] + axes[2]
-        sight /= np.sqrt((sight * sight).sum(axis=1, keepdims=True))
-        middle = place[k] - evidence.sensor_place_m[evidence.sensor[k]]
-        offset = (sight @ middle)[:, None] * sight - middle
-        turn = fit.state.turn[k]
-        found[row] = _beyond(offset, sight, directions @ turn, surface_m @ turn, float(place[k, 2]))
-    return found
+        sight[row] = sights(views[k].outline_px[around], rig.mounts[views[k].sensor].intrinsics) @ axes[:2] + axes[2]
+        own[row] = own_places(views[k])[around]
+    sight /= np.sqrt((sight * sight).sum(axis=2, keepdims=True))
+    place, turn = fit.state.place_m(evidence)[chosen], fit.state.turn[chosen]
+    middle = (place - evidence.sensor_place_m[evidence.sensor[chosen]])[:, None]
+    offset = (sight * middle).sum(axis=2, keepdims=True) * sight - middle
+    return _beyond(offset, sight, own, directions @ turn, turn, surface_m, place[:, 2:])
 
 
-def _beyond(offset: F64, sight: F64, directions: F64, surface_m: F64, height_m: float) -> F64:
-    """Return the excess (4,) of one outline: rays pass the centre by `offset` (N, 3) with directions `sight`."""
-    extreme = (directions @ offset.T).argmax(axis=1)
-    toward = sight[extreme]
-    flat = directions - (directions * toward).sum(axis=1, keepdims=True) * toward
-    sine = np.sqrt((flat * flat).sum(axis=1))
-    flat /= np.maximum(sine, SIDEWAYS)[:, None]
-    beyond = (offset[extreme] * flat).sum(axis=1) - (flat @ surface_m.T).max(axis=1)
-    shown = (sine >= SIDEWAYS) & (height_m + offset[extreme, 2] >= LOW_M)
-    return np.where(shown, beyond, np.nan)
+def _beyond(offset: F64, sight: F64, own: Bools, directions: F64, turn: F64, surface_m: F64, height_m: F64) -> F64:
+    """Return the excess (C, 4) of outlines whose sights (C, P, 3) pass the centre by `offset` (C, P, 3)."""
+    reach = np.matmul(directions, offset.transpose(0, 2, 1))
+    extreme = reach.argmax(axis=2)
+    row = np.arange(len(offset))[:, None]
+    toward, passing = sight[row, extreme], offset[row, extreme]
+    flat = directions - (directions * toward).sum(axis=2, keepdims=True) * toward
+    sine = np.sqrt((flat * flat).sum(axis=2))
+    flat /= np.maximum(sine, SIDEWAYS)[..., None]
+    surface_reach = (np.matmul(flat, turn.transpose(0, 2, 1)) @ surface_m.T).max(axis=2)
+    shown = own[row, extreme] & (sine >= SIDEWAYS) & (height_m + passing[..., 2] >= LOW_M)
+    return np.where(shown, (passing * flat).sum(axis=2) - surface_reach, np.nan)
