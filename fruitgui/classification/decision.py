@@ -12,15 +12,16 @@ from fruitgui.classification.evidence import UNKNOWN, KindVote
 from fruitgui.classification.network import log_softmax
 from fruitgui.frame import F64, Ints
 
-_PROMISE = 0.005
-"""Share of trained fruit that the threshold may reject by the distribution of their held-out distances: half of the
-one in a hundred that may come out unknown, as doubt rejects some too."""
+_PROMISE = 0.001
+"""Share of trained fruit that the threshold may reject by the distribution of their held-out distances: a tenth of the
+one in a hundred that may come out unknown, as tails are heavier than a dozen fruit of a kind show."""
 
 _UNTESTED = 6.0
 """The threshold where no fruit could be held out."""
 
-_DOUBT = -math.log(0.65)
-"""A fruit whose best kind is less probable than this is unknown, unless trained fruit are often as doubtful."""
+_USUAL_SPREAD = 0.1
+_PRIOR_FRUIT = 3
+"""The spread of cube roots of distances, and the fruit it weighs: few held-out fruit may lie together by chance."""
 
 _STEEPNESS = 1.5
 _VIEW_WEIGHTS = np.geomspace(0.05, 8.0, 23)
@@ -34,13 +35,15 @@ class Scores:
     Attributes:
         views: (K,) mean over its views of the perceptron's log-probabilities.
         fruit: (K,) log-density of the whole fruit.
-        distances: (A, K) squared distance per axis, for each set of axes; last, along the worst axis.
-        stranger: log-density of the nearest fruit labelled unknown; −inf without any.
+        distances: (K,) squared distance per axis.
+        measured: share of the axes that were measured.
+        stranger: log-density of all fruit labelled unknown, each counting as much as a kind; −inf without any.
     """
 
     views: F64
     fruit: F64
     distances: F64
+    measured: float = 1.0
     stranger: float = -math.inf
 
 
@@ -91,72 +94,57 @@ def _lead(opinions: F64, kinds: Ints) -> float:
     return max(float(np.median(opinions[rows, kinds] - others.max(axis=1))), 1e-6)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class Novelty:
     """When a fruit is too far from its kind to be of it.
 
     The cube root of a squared distance is nearly normal (Wilson & Hilferty 1931), so few held-out fruit suffice to
-    say where the rare ones lie. Each set of axes has its own centre and spread, and the worst set decides: what
-    differs in colour alone is not hidden by all the shape that fits. And what lies between kinds, so that it is not
-    plainly one of them, need not lie far from them to be something else: doubt adds to distance, in square.
+    say where the rare ones lie. A mean over few axes scatters more, by the root of their number.
 
     Attributes:
-        centres: (A,) of the cube roots of trained fruit's distances.
-        spreads: (A,) of the same.
+        centre: of the cube roots of trained fruit's distances.
+        spread: of the same, > 0.
         threshold: standardised distance beyond which a fruit is unknown, > 0.
-        doubt: negative logarithm of the best kind's probability beyond which a fruit is unknown, > 0.
     """
 
-    centres: F64
-    spreads: F64
+    centre: float
+    spread: float
     threshold: float
-    doubt: float
 
-    def score(self, distances: F64, doubt: float) -> float:
+    def score(self, distance: float, measured: float = 1.0) -> float:
         """Return how far beyond the trained kinds a fruit lies: 1 is the threshold.
 
         Args:
-            distances: (A,) squared, to its kind.
-            doubt: negative logarithm of its kind's probability.
+            distance: squared, per axis.
+            measured: share of the axes that were measured.
         """
-        distance = max(0.0, float(_worst(self.centres, self.spreads, distances[None, :])[0]))
-        return math.hypot(distance / self.threshold, doubt / self.doubt)
+        return max(0.0, (math.cbrt(distance) - self.centre) / self.spread) * math.sqrt(measured) / self.threshold
 
 
-def fit_novelty(own: F64, doubts: F64) -> Novelty:
+def fit_novelty(own: F64) -> Novelty:
     """Return the threshold that keeps the promised share of trained fruit.
 
     Nothing widens it: kinds left out of training lie farther off than what is met on belts, and so prove no room.
 
     Args:
-        own: (N, L, A) distances of held-out fruit to their own kind, each in L lights.
-        doubts: (N,) doubts of the held-out fruit that got their kind.
+        own: (N,) squared distances of held-out fruit to their own kind.
     """
     from scipy.stats import t as student
 
-    fruit, sets = len(own), own.shape[-1]
-    doubt = max(_DOUBT, 1.25 * float(np.quantile(doubts, 0.99))) if len(doubts) else _DOUBT
+    fruit = len(own)
     if fruit == 0:
-        return Novelty(np.full(sets, 1.0), np.full(sets, 0.5), _UNTESTED, doubt)
-    roots = np.cbrt(own.reshape(-1, sets))
-    centres = np.median(roots, axis=0)
-    upper = np.sqrt(np.mean(np.maximum(roots - centres, 0.0) ** 2, axis=0) * 2.0)
-    spreads = np.maximum(np.maximum(upper, roots.std(axis=0)), 0.02 * np.maximum(centres, 0.1))
-    worst = _worst(centres, spreads, own.reshape(-1, sets))
-    reach = float(student.ppf(1.0 - _PROMISE, max(fruit - 1, 2))) * math.sqrt(1.0 + 1.0 / fruit)
-    needed = max(float(worst.mean()) + reach * max(float(worst.std()), 0.5), 2.5)
-    return Novelty(centres, spreads, needed, doubt)
-
-
-def _worst(centres: F64, spreads: F64, distances: F64) -> F64:
-    return np.asarray(((np.cbrt(distances) - centres) / spreads).max(axis=1))
+        return Novelty(1.0, _USUAL_SPREAD, _UNTESTED)
+    roots = np.cbrt(own)
+    centre, freedom = float(roots.mean()), fruit - 1 + _PRIOR_FRUIT
+    spread = math.sqrt((float(np.sum((roots - centre) ** 2)) + _PRIOR_FRUIT * _USUAL_SPREAD**2) / freedom)
+    return Novelty(centre, spread, float(student.ppf(1.0 - _PROMISE, freedom)) * math.sqrt(1.0 + 1.0 / fruit))
 
 
 def decide(kinds: tuple[str, ...], scores: Scores, weighing: Weighing, novelty: Novelty) -> KindVote:
     """Return the kind of one fruit: the most probable one, unless the fruit is too far from it."""
     logs = weighing.log_probabilities(scores)
     best = int(logs.argmax())
-    score = novelty.score(scores.distances[:, best], -float(logs[best]))
+    score = novelty.score(float(scores.distances[best]), scores.measured)
     if scores.stranger > scores.fruit[best]:
         score = max(score, 1.0 + min((scores.stranger - scores.fruit[best]) / 10.0, 1.0))
     excess = _STEEPNESS * novelty.threshold * (score - 1.0)

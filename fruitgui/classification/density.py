@@ -3,22 +3,25 @@
 It serves twice: its distances say whether a fruit is like any trained kind at all, and its log-density is a second
 opinion on the kind beside the perceptron's, which knows the fused size.
 
-A dozen fruit cannot teach a covariance of fifty features. So: the correlations are pooled over all kinds and shrunk
-(Ledoit & Wolf 2004); each kind has its own spread in each feature, drawn towards the pooled one as if that had been
-seen on `strength` fruit; the mean of n fruit is itself uncertain by a share 1/n; and a fruit seen in fewer views than
-usual is less certain by the spread between views.
+A dozen fruit cannot teach a covariance of forty axes. So: the correlations are pooled over all kinds and shrunk
+(Ledoit & Wolf 2004); each kind has its own spread along each axis, drawn towards the pooled one; fruit of a kind differ
+as the faces of one fruit do (a blotched apple's views say which blotches apples can have, and how it looks when it lies
+otherwise); the mean of n fruit is itself uncertain by a share 1/n; and a fruit seen in fewer views than usual is less
+certain by the spread between views.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from fruitgui.classification.axes import axes_of, fruit_axes, view_axes
 from fruitgui.classification.evidence import Evidence, FeatureNames
-from fruitgui.classification.nature import by_ratio, shape_axes, sizes, steadied
 from fruitgui.frame import F64, Ints
+
+_STRENGTH = 3.0
+"""The weight of the pooled spread in each kind's own, in fruit."""
 
 _PRIOR_FRUIT = 3.0
 """The weight of the first guess on the spread within kinds, in fruit."""
@@ -32,14 +35,18 @@ _LEAST_SPREAD = 1e-3
 _LEAST_SHARE = 0.02
 """Least spread of one kind as a share of the first guess."""
 
+_FACES = 0.5
+"""Variance of a fruit by the faces that it happens to show, as a share of that between its views: opposed sensors see
+two."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FruitVectors:
-    """Fruit as points: its views' features, then its fused features.
+    """Fruit as points along the axes of `axes.Axes.every`.
 
     Attributes:
-        points: (N, D) features, by ratio (sizes as logarithms); NaN where not measured.
-        spreads: (N, D, D) covariance of one view about its fruit, zero for fused features.
+        points: (N, D); NaN where not measured.
+        spreads: (N, D, D) covariance of one view about its fruit, zero for axes of the whole fruit.
         views: (N,) number of views.
     """
 
@@ -58,16 +65,15 @@ def fruit_vectors(evidence: list[Evidence], names: FeatureNames) -> FruitVectors
     A view or two that a neighbour or the picture's edge spoiled are left out; the median would jump between the two
     faces of a fruit that opposed sensors see.
     """
-    fruit_sizes, shapes = sizes(names.fruit), shape_axes(names)
-    width, depth = len(names.view), len(names.view) + len(names.fruit)
+    axes = axes_of(names)
+    width, depth = len(axes.view), len(axes.every)
     points, spreads = np.empty((len(evidence), depth)), np.zeros((len(evidence), depth, depth))
     for row, one in enumerate(evidence):
-        views = steadied(one.view_features, names)
+        views = view_axes(one.view_features, names)
         points[row, :width] = _trimmed_mean(views)
-        points[row, width:] = by_ratio(one.fruit_features, fruit_sizes)
+        points[row, width:] = fruit_axes(one.fruit_features, points[row, :width], names)
         if not one.alone:
-            points[row, shapes] = np.nan
-            points[row, width:] = np.nan
+            points[row, axes.lone] = np.nan
         if len(views) > 1:
             spreads[row, :width, :width] = np.cov(views, rowvar=False).reshape(width, width)
     return FruitVectors(points, spreads, np.array([one.views for one in evidence], dtype=float))
@@ -90,7 +96,6 @@ class Density:
         counts: (K,) fruit that taught each kind.
         view_spread: (D, D) covariance of one view about its fruit.
         views: views of a usual fruit.
-        strength: fruit that the pooled spread counts for in each kind's own.
     """
 
     unit: F64
@@ -99,15 +104,14 @@ class Density:
     counts: F64
     view_spread: F64
     views: float
-    strength: float
 
-    def judge(self, point: F64, views: float, axes: Ints) -> tuple[F64, F64]:
-        """Return squared distance per axis (K,) and log-density (K,) of one fruit, over `axes` that were measured.
+    def judge(self, point: F64, views: float) -> tuple[F64, F64]:
+        """Return squared distance per axis (K,) and log-density (K,) of one fruit, over the axes that were measured.
 
         The distance is squared Mahalanobis divided by the number of axes, about 1 for fruit of the kind. The
         log-density has the heavy tails of Student's t, as the covariance is only an estimate.
         """
-        seen = axes[np.isfinite(point[axes])]
+        seen = np.flatnonzero(np.isfinite(point))
         if len(seen) == 0:
             return np.zeros(len(self.means)), np.zeros(len(self.means))
         square = np.ix_(seen, seen)
@@ -118,36 +122,18 @@ class Density:
             factor = np.linalg.cholesky(spread)
             squared = float(np.sum(np.linalg.solve(factor, point[seen] / self.unit[seen] - mean[seen]) ** 2))
             freedom = self.counts.sum() + len(seen)
-            distances[kind] = _as_of_all(squared / len(seen), len(seen), len(axes))
+            distances[kind] = squared / len(seen)
             densities[kind] = -0.5 * (freedom + len(seen)) * np.log1p(squared / freedom) - np.log(np.diag(factor)).sum()
         return distances, densities
 
-    def worst_axis(self, point: F64, views: float) -> F64:
-        """Return the squared distance (K,) of one fruit along the axis that fits worst, in that axis's own spread.
 
-        A mean over fifty axes hides what lies far off in two or three of them.
-        """
-        seen = np.flatnonzero(np.isfinite(point))
-        if len(seen) == 0:
-            return np.zeros(len(self.means))
-        fewer = max(0.0, views**-0.5 - self.views**-0.5)
-        own = np.diagonal(self.covariances, axis1=1, axis2=2) * (1.0 + 1.0 / self.counts)[:, None]
-        spread = own + fewer * np.diagonal(self.view_spread)
-        return np.asarray(((point / self.unit - self.means) ** 2 / spread)[:, seen].max(axis=1))
-
-    def distances(self, point: F64, views: float, sets: Sequence[Ints]) -> F64:
-        """Return the squared distances (A + 1, K) of one fruit over each set of axes, then along its worst axis."""
-        return np.array([*(self.judge(point, views, axes)[0] for axes in sets), self.worst_axis(point, views)])
-
-
-def fit_density(fruit: FruitVectors, kinds: Ints, count: int, strength: float, nuisance: F64) -> Density:
+def fit_density(fruit: FruitVectors, kinds: Ints, count: int, nuisance: F64) -> Density:
     """Return the densities of `count` kinds, each with at least one fruit.
 
     Args:
         fruit: the fruit.
         kinds: (N,) number of each fruit's kind.
         count: K.
-        strength: see `Density`.
         nuisance: (D, D) covariance added to every kind's: what the light may change that training did not show.
     """
     points = _filled(fruit.points, kinds, count)
@@ -159,24 +145,13 @@ def fit_density(fruit: FruitVectors, kinds: Ints, count: int, strength: float, n
     unit, own = np.sqrt(variance), np.empty_like(means)
     for kind in range(count):
         squares = (residuals[kinds == kind] ** 2).sum(axis=0)
-        own[kind] = (squares + strength * variance) / (strength + max(counts[kind] - 1.0, 0.0))
+        own[kind] = (squares + _STRENGTH * variance) / (_STRENGTH + max(counts[kind] - 1.0, 0.0))
     own = np.sqrt(np.maximum(own, guess * _LEAST_SHARE**2)) / unit
     correlation = _correlation(residuals / unit / own[kinds], len(points) - count)
-    changed = nuisance / np.outer(unit, unit)
-    covariances = own[:, :, None] * correlation * own[:, None, :] + changed
+    faces = np.array([_FACES * fruit.spreads[kinds == kind].mean(axis=0) for kind in range(count)])
+    covariances = own[:, :, None] * correlation * own[:, None, :] + (faces + nuisance) / np.outer(unit, unit)
     view_spread = view_spread / np.outer(unit, unit)
-    return Density(unit, means / unit, covariances, counts, view_spread, float(np.median(fruit.views)), strength)
-
-
-def _as_of_all(distance: float, seen: int, axes: int) -> float:
-    """Return the squared distance per axis over all axes that is as rare as this one over those seen.
-
-    A mean over few axes scatters more; by Wilson & Hilferty (1931) its cube root is normal about 1 − 2/9n, with the
-    variance 2/9n.
-    """
-    few, all_of_them = 2.0 / (9.0 * seen), 2.0 / (9.0 * axes)
-    rarity = (float(np.cbrt(distance)) - 1.0 + few) / np.sqrt(few)
-    return float(max(1.0 - all_of_them + rarity * np.sqrt(all_of_them), 0.0) ** 3)
+    return Density(unit, means / unit, covariances, counts, view_spread, float(np.median(fruit.views)))
 
 
 def _filled(points: F64, kinds: Ints, count: int) -> F64:

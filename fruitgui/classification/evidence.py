@@ -19,7 +19,7 @@ class FeatureNames:
     """What the numbers in an `Evidence` are, in order.
 
     A name that ends in a unit of length, area or volume (`_m`, `_m2`, `_m3`) is a size: positive,
-    judged by ratio. See `nature` for the other words that names may begin with.
+    judged by ratio. See `axes` for the other words that names may begin with.
     """
 
     view: tuple[str, ...]

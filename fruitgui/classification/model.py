@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from fruitgui.classification.axes import axes_of, view_axes
 from fruitgui.classification.decision import Novelty, Scores, Weighing, decide
 from fruitgui.classification.density import Density, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames, KindVote
-from fruitgui.classification.nature import axis_sets, shape_axes, steadied
 from fruitgui.classification.network import Network
 from fruitgui.errors import InputError
 from fruitgui.frame import F64
@@ -21,9 +21,9 @@ class Core:
 
     Attributes:
         names: of the features.
-        centre: (F,) mean of the view features, sizes as logarithms.
-        unit: (F,) their spread.
-        network: on standardised view features.
+        centre: (A,) mean of the views' axes.
+        unit: (A,) their spread.
+        network: on standardised views.
         density: on whole fruit.
         strangers: density around each fruit labelled unknown, if any.
     """
@@ -43,22 +43,27 @@ class Core:
         """
         check_width(evidence, self.names)
         vectors = fruit_vectors([evidence], self.names)
-        steady = steadied(evidence.view_features, self.names)
-        if not evidence.alone:
-            steady[:, shape_axes(self.names)] = np.nan
-        return self.judge(steady, vectors.points[0], float(vectors.views[0]))
+        return self.judge(view_rows(evidence, self.names), vectors.points[0], float(vectors.views[0]))
 
-    def judge(self, steady: F64, point: F64, views: float) -> Scores:
-        """Return what the parts say of steadied views (n, F) and of the fruit as a point (D,); NaN is not known."""
+    def judge(self, rows: F64, point: F64, views: float) -> Scores:
+        """Return what the parts say of views (n, A) and of the fruit as a point (D,); NaN is not known."""
         # A value beyond ten times the spread says no more than that it is wild; the mean says nothing.
-        rows = np.nan_to_num(np.clip((steady - self.centre) / self.unit, -10.0, 10.0), nan=0.0)
-        sets = axis_sets(self.names)
-        fruit = self.density.judge(point, views, sets[0])[1]
+        standard = np.nan_to_num(np.clip((rows - self.centre) / self.unit, -10.0, 10.0), nan=0.0)
+        distances, densities = self.density.judge(point, views)
         stranger = -np.inf
         if self.strangers is not None:
-            stranger = float(self.strangers.judge(point, views, sets[0])[1].max())
-        mean = self.network.log_probabilities(rows).mean(axis=0)
-        return Scores(mean, fruit, self.density.distances(point, views, sets), stranger)
+            stranger = float(np.logaddexp.reduce(self.strangers.judge(point, views)[1]))
+        logs = self.network.log_probabilities(standard).mean(axis=0)
+        return Scores(logs, densities, distances, float(np.isfinite(point).mean()), stranger)
+
+
+def view_rows(evidence: Evidence, names: FeatureNames) -> F64:
+    """Return the views of a fruit as axes (n, A); NaN where a neighbour spoils them."""
+    rows = view_axes(evidence.view_features, names)
+    if not evidence.alone:
+        lone = axes_of(names).lone
+        rows[:, lone[lone < rows.shape[1]]] = np.nan
+    return rows
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from fruitgui.classification.axes import axes_of
 from fruitgui.classification.decision import Novelty, Weighing
 from fruitgui.classification.density import Density
 from fruitgui.classification.evidence import FeatureNames
 from fruitgui.classification.kinds import checked_kinds
 from fruitgui.classification.model import Core, KindModel
-from fruitgui.classification.nature import axis_sets
 from fruitgui.classification.network import Network
 from fruitgui.errors import InputError
 from fruitgui.frame import F64
@@ -25,6 +25,7 @@ MAX_FEATURES = 1024
 MAX_LAYERS = 4
 MAX_NEURONS = 1024
 MAX_STRANGERS = 200
+_NOVELTY = ("centre", "spread", "threshold")
 
 
 def to_parts(model: KindModel) -> tuple[Settings, Arrays]:
@@ -36,15 +37,13 @@ def to_parts(model: KindModel) -> tuple[Settings, Arrays]:
         "fruit_features": list(core.names.fruit),
         "layers": len(core.network.weights),
         "weighing": {"views": model.weighing.views, "fruit": model.weighing.fruit},
-        "unknown": {"threshold": model.novelty.threshold, "doubt": model.novelty.doubt},
-        "density": {"views": core.density.views, "strength": core.density.strength},
+        "unknown": {name: getattr(model.novelty, name) for name in _NOVELTY},
+        "density": {"views": core.density.views},
         "strangers": 0 if core.strangers is None else len(core.strangers.means),
     }
     arrays: Arrays = {
         "views/centre": core.centre,
         "views/unit": core.unit,
-        "unknown/centres": model.novelty.centres,
-        "unknown/spreads": model.novelty.spreads,
     }
     for layer, (weight, bias) in enumerate(zip(core.network.weights, core.network.biases, strict=True)):
         arrays |= {f"network/weight_{layer}": weight, f"network/bias_{layer}": bias}
@@ -86,8 +85,9 @@ def from_parts(settings: Mapping[str, Any], arrays: Mapping[str, Any], names: Fe
             "Train it again with this version.",
             where="view_features" if trained.view != names.view else "fruit_features",
         )
-    width, count = len(names.view), len(kinds)
-    density = _density(reader, width + len(names.fruit), count)
+    axes, count = axes_of(names), len(kinds)
+    width = len(axes.view)
+    density = _density(reader, len(axes.every), count)
     core = Core(
         names,
         reader.array("views/centre", (width,)),
@@ -97,7 +97,8 @@ def from_parts(settings: Mapping[str, Any], arrays: Mapping[str, Any], names: Fe
         _strangers(reader, density),
     )
     weighing = Weighing(reader.number("weighing", "views", 0.0, 1e3), reader.number("weighing", "fruit", 0.0, 1e3))
-    return KindModel(kinds, core, weighing, _novelty(reader, len(axis_sets(names)) + 1))
+    novelty = Novelty(*(reader.number("unknown", name, 1e-6, 1e6) for name in _NOVELTY))
+    return KindModel(kinds, core, weighing, novelty)
 
 
 def _density(reader: _Reader, depth: int, count: int) -> Density:
@@ -108,7 +109,6 @@ def _density(reader: _Reader, depth: int, count: int) -> Density:
         reader.positive("density/counts", (count,)),
         reader.covariance("density/view_spread", (depth, depth), least=0.0),
         reader.number("density", "views", 1.0, 1e6),
-        reader.number("density", "strength", 1e-3, 1e6),
     )
 
 
@@ -126,16 +126,6 @@ def _strangers(reader: _Reader, density: Density) -> Density | None:
         np.ones(len(means)),
         density.view_spread,
         density.views,
-        density.strength,
-    )
-
-
-def _novelty(reader: _Reader, sets: int) -> Novelty:
-    return Novelty(
-        reader.array("unknown/centres", (sets,)),
-        reader.positive("unknown/spreads", (sets,)),
-        reader.number("unknown", "threshold", 1e-3, 1e6),
-        reader.number("unknown", "doubt", 1e-3, 1e6),
     )
 
 

@@ -13,12 +13,12 @@ from fruitgui.classification.decision import decide
 from fruitgui.classification.density import FruitVectors, fruit_vectors
 from fruitgui.classification.evidence import FeatureNames, LabelledFruit
 from fruitgui.classification.fitting import FruitSet, around, fit_core, fruit_set
-from fruitgui.classification.held_out import FOLDS, HeldOut, choose_strength, deal, hold_out
+from fruitgui.classification.held_out import FOLDS, HeldOut, deal, hold_out
 from fruitgui.classification.intervals import rate
 from fruitgui.classification.lesson import Lesson, lesson
 from fruitgui.classification.model import KindModel
 from fruitgui.frame import Ints
-from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
 
 _CURVE_SHARES = (0.25, 0.5)
 _CURVE_FOLDS = 2
@@ -44,19 +44,17 @@ def train(
     fruit = fruit_set(evidence, taught.numbers, len(taught.kinds), names)
     strangers = _strangers(taught, names)
     fold = deal(taught.numbers, taught.pieces, random)
-    progress(0.0, "Choosing how much kinds share")
-    strength = choose_strength(fruit, fold)
-    stop_if(cancelled)
 
     def told(share: float) -> None:
-        progress(0.1 + 0.5 * share, "Judging fruit that training did not see")
+        progress(0.6 * share, "Judging fruit that training did not see")
 
-    held = hold_out(fruit, fold, strength, strangers, random, cancelled, told)
+    told(0.0)
+    held = hold_out(fruit, fold, strangers, random, cancelled, told)
     progress(0.6, "Training on all fruit")
-    core = fit_core(fruit, strength, strangers, random, cancelled)
+    core = fit_core(fruit, strangers, random, cancelled)
     model = KindModel(taught.kinds, core, *held.fit(np.arange(len(held.rows))))
     progress(0.7, "Finding out whether more fruit would help")
-    curve = _curve(fruit, taught, fold, model, strength, random, cancelled)
+    curve = _curve(fruit, taught, fold, model, random, cancelled)
     progress(1.0, "Trained")
     judged = [*_judged(taught, held), *_strangers_judged(taught, model, strangers)]
     return account(model, taught.kinds, fruits, judged, curve)
@@ -98,7 +96,6 @@ def _curve(
     taught: Lesson,
     fold: Ints,
     model: KindModel,
-    strength: float,
     random: np.random.Generator,
     cancelled: Cancelled,
 ) -> list[CurvePoint]:
@@ -108,7 +105,7 @@ def _curve(
         right = trials = size = 0
         for one in range(_CURVE_FOLDS):
             kept = _share(taught.numbers, np.flatnonzero(fold != one), share)
-            core = fit_core(fruit.take(kept), strength, None, random, cancelled)
+            core = fit_core(fruit.take(kept), None, random, cancelled)
             smaller = KindModel(model.kinds, core, model.weighing, model.novelty)
             out = [taught.fruit[row] for row in np.flatnonzero(fold == one)]
             right += sum(smaller.vote(each.evidence).kind == each.kind for each in out)

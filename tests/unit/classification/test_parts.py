@@ -51,7 +51,7 @@ def test_other_features_mean_training_again(trained: Training[KindModel]) -> Non
         ("layers", True),
         ("weighing", {"views": float("nan"), "fruit": 0.1}),
         ("weighing", None),
-        ("unknown", {"threshold": -1.0, "doubt": 1.0}),
+        ("unknown", {"centre": 0.7, "spread": 0.1, "threshold": -1.0}),
         ("strangers", 10**9),
         ("views/centre", np.zeros(3)),
         ("views/unit", np.zeros(30)),
