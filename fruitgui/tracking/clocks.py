@@ -154,11 +154,11 @@ def _best_two(ours: _Passing, theirs: _Passing, std_s: float) -> tuple[CommonShi
     likeness = np.exp(-0.5 * OTHER_SIDE * look_distance(ours.looks, theirs.looks))
     lane = np.abs(ours.across_m[:, None] - theirs.across_m[None]) < SAME_LANE_M
     allowed = lane & (np.abs(shift) <= LARGEST_S + 2.0 * std_s)
-    std, none = np.full(shift.shape, std_s), np.zeros(shift.shape)
-    best = common_shift(residual, std, likeness, allowed, none)
+    std = np.full(shift.shape, std_s)
+    best = common_shift(residual, std, likeness, allowed)
     if best is None:
         return None, 0.0
-    other = common_shift(residual, std, likeness, allowed & (np.abs(shift - best.shift_m[0]) > 3.0 * std_s), none)
+    other = common_shift(residual, std, likeness, allowed & (np.abs(shift - best.shift_m[0]) > 3.0 * std_s))
     return best, 0.0 if other is None else other.votes
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from fruitgui.frame import F64
 from fruitgui.geometry.rig import Rig
 from fruitgui.tracking.resolve import NEIGHBOUR_M, Resolver
 from fruitgui.tracking.settings import TrackerSettings
@@ -35,12 +36,14 @@ class Closing:
         """Return the fruit among the held trails that have no live neighbour."""
         if not self._held:
             return []
-        ready = [held for held in self._held if not _has_neighbour(held[0], live)]
+        places = _places(live)
+        ready = [held for held in self._held if not _has_neighbour(held[0], places)]
         tracks: list[Track] = []
         for trail, crossed in ready:
             tracks += self._settle(trail, crossed, live)
-        followed = [*live, *(trail for trail, _ in self._held)]
-        self._done = [trail for trail in self._done if _has_neighbour(trail, followed, LATE_NEIGHBOUR_M)]
+        if self._done:
+            followed = _places([*live, *(trail for trail, _ in self._held)])
+            self._done = [trail for trail in self._done if _has_neighbour(trail, followed, LATE_NEIGHBOUR_M)]
         return tracks
 
     def release_all(self) -> list[Track]:
@@ -74,11 +77,14 @@ class Closing:
         )
 
 
-def _has_neighbour(trail: Trail, live: Sequence[Trail], within_m: float = NEIGHBOUR_M) -> bool:
-    if not live:
-        return False
-    places = np.array([other.place_m for other in live])
-    return bool(np.linalg.norm(places - trail.place_m, axis=1).min() < within_m)
+def _places(trails: Sequence[Trail]) -> F64:
+    """Return where trails lie on the belt, (n, 3)."""
+    return np.array([trail.place_m for trail in trails]).reshape(-1, 3)
+
+
+def _has_neighbour(trail: Trail, places_m: F64, within_m: float = NEIGHBOUR_M) -> bool:
+    apart = places_m - trail.place_m
+    return bool(((apart * apart).sum(axis=1) < within_m**2).any())
 
 
 def _like(trail: Trail, twin: Trail) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Protocol
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from fruitgui.frame import F64, Bools
 from fruitgui.geometry.rig import Rig
 from fruitgui.tracking.belt import BeltMotion
-from fruitgui.tracking.measured import Measured, look_distance
+from fruitgui.tracking.measured import Measured, look_distance, variances
 from fruitgui.tracking.voting import CommonShift, common_shift
 
 FASTEST_M_S = 1.2
@@ -29,6 +30,9 @@ SIDEWAYS_M_S2 = 0.01
 SAME_PLACE_STD_M = 0.009
 PLACE_FLOOR_M = 0.003
 """Two sensors' centres of one fruit differ by some millimetres, and all of one capture's alike."""
+
+
+_EYE = np.eye(2)
 
 
 class BeltModel(Protocol):
@@ -92,6 +96,7 @@ class BeltFollower:
 
     def __init__(self, rig: Rig, motion: BeltMotion, time_s: float) -> None:
         self._frame = rig.belt_frame()
+        self._back: F64 = np.ascontiguousarray(self._frame.rotation[:2].T)
         self._time_s = time_s
         self._measured_s = time_s
         self._velocity: F64 = self._frame.turn(motion.velocity_m_s)[:2]
@@ -111,20 +116,16 @@ class BeltFollower:
             return self.motion()
         std = RUN_STD_M / max(float(np.linalg.norm(self._ran_m)), RUN_STD_M)
         mean = self._ran_m / self._ran_s
-        back = self._frame.rotation.T
-        spread = (std * float(np.linalg.norm(mean))) ** 2 * np.diag([1.0, 1.0, 0.0])
-        return BeltMotion(back @ np.append(mean, 0.0), back @ spread @ back.T)
+        spread = (std * float(np.linalg.norm(mean))) ** 2
+        return BeltMotion(self._back @ mean, spread * self._back @ self._back.T)
 
     def motion(self) -> BeltMotion:
         """Return the velocity now, reference frame."""
-        back = self._frame.rotation.T
-        flat = np.zeros((3, 3))
-        flat[:2, :2] = self._covariance[2:, 2:]
-        return BeltMotion(back @ np.append(self._velocity, 0.0), back @ flat @ back.T)
+        return BeltMotion(self._back @ self._velocity, self._back @ self._covariance[2:, 2:] @ self._back.T)
 
     def travelled_m(self) -> F64:
         """Return the displacement (3,) since the beginning, reference frame."""
-        return np.asarray(self._frame.rotation.T @ np.append(self._travelled, 0.0))
+        return self._back @ self._travelled
 
     def advance(self, time_s: float) -> F64:
         """Return the predicted displacement (3,) since the last capture, reference frame."""
@@ -133,16 +134,16 @@ class BeltFollower:
         step = self._velocity * duration
         self._travelled = self._travelled + step
         F = np.eye(4)
-        F[:2, 2:] = duration * np.eye(2)
+        F[0, 2] = F[1, 3] = duration
         self._covariance = F @ self._covariance @ F.T + self._noise(abs(duration), STEADY_M_S2)
-        return np.asarray(self._frame.rotation.T @ np.append(step, 0.0))
+        return self._back @ step
 
     def _noise(self, duration_s: float, acceleration_m_s2: float) -> F64:
         """Return the (4, 4) noise of a random acceleration held for `duration_s`, less of it sideways."""
-        across = np.eye(2) * acceleration_m_s2**2
+        across = _EYE * acceleration_m_s2**2
         if self._heading is not None:
-            along = np.outer(self._heading, self._heading)
-            across = along * acceleration_m_s2**2 + (np.eye(2) - along) * SIDEWAYS_M_S2**2
+            along = self._heading[:, None] * self._heading
+            across = along * acceleration_m_s2**2 + (_EYE - along) * SIDEWAYS_M_S2**2
         far, fast = 0.5 * duration_s**2, duration_s
         Q = np.empty((4, 4))
         Q[:2, :2], Q[2:, 2:] = far * far * across, fast * fast * across
@@ -163,13 +164,13 @@ class BeltFollower:
         there = self._frame.apply(position_m[tracks])[:, :2]
         residual = here[None] - there[:, None]
         likeness = np.exp(-0.5 * np.minimum(look_distance(looks[tracks], seen.looks[usable]), 12.0))
-        std = np.sqrt(variance_m2[tracks][:, None] + _variance(seen)[usable][None] + PLACE_FLOOR_M**2)
-        found = common_shift(residual, std, likeness, self._admissible(residual), self._bonus(residual))
+        std = np.sqrt(variance_m2[tracks][:, None] + variances(seen.covariance_m2)[usable][None] + PLACE_FLOOR_M**2)
+        found = common_shift(residual, std, likeness, self._admissible(residual), self._bonus)
         if found is None:
             return np.zeros(3)
         before = self._travelled.copy()
         self._take(found)
-        return np.asarray(self._frame.rotation.T @ np.append(self._travelled - before, 0.0))
+        return self._back @ (self._travelled - before)
 
     def _admissible(self, residual_m: F64) -> Bools:
         """Tell which residuals (n, m, 2) a belt could have made since it was last measured."""
@@ -178,23 +179,22 @@ class BeltFollower:
         if self._heading is None:
             return np.asarray(np.linalg.norm(residual_m, axis=2) < FASTEST_M_S * duration + slack)
         along = residual_m @ self._heading
-        across = np.linalg.norm(residual_m - along[..., None] * self._heading, axis=2)
+        across = np.abs(residual_m @ np.array([-self._heading[1], self._heading[0]]))
         speed = float(self._velocity @ self._heading)
         fastest = min(FASTEST_M_S, 1.3 * max(self._top_speed, speed) + 0.1)
         low, high = -max(speed, 0.0) * duration - slack, max(fastest - speed, 0.0) * duration + slack
         return np.asarray((across < slack) & (along > low) & (along < high))
 
     def _bonus(self, residual_m: F64) -> F64:
-        """Return prior votes for each residual: a belt mostly goes on as it did, or has just stopped."""
-        precise = np.linalg.inv(self._covariance[:2, :2] + SAME_PLACE_STD_M**2 * np.eye(2))
-        going_on = np.exp(-0.5 * np.einsum("nmi,ij,nmj->nm", residual_m, precise, residual_m))
-        return np.asarray(0.8 * going_on)
+        """Return prior votes (k,) for each of k residuals: a belt mostly goes on as it did, or has just stopped."""
+        precise = np.linalg.inv(self._covariance[:2, :2] + SAME_PLACE_STD_M**2 * _EYE)
+        return np.asarray(0.8 * np.exp(-0.5 * ((residual_m @ precise) * residual_m).sum(axis=1)))
 
     def _take(self, found: CommonShift) -> None:
         """Update displacement and velocity by a common shift; loosen the velocity first if it must have changed."""
         duration = max(self._time_s - self._measured_s, 1e-3)
         self._measured_s = self._time_s
-        R = (found.std_m**2 + PLACE_FLOOR_M**2) * np.eye(2)
+        R = (found.std_m**2 + PLACE_FLOOR_M**2) * _EYE
         S = self._covariance[:2, :2] + R
         if float(found.shift_m @ np.linalg.solve(S, found.shift_m)) > 12.0:
             self._covariance = self._covariance + self._noise(duration, self._turning(found.shift_m, duration))
@@ -212,7 +212,7 @@ class BeltFollower:
         """Add the way since the last measurement to that which the belt ran."""
         way = self._travelled - self._marked
         self._marked = self._travelled.copy()
-        if duration_s < 1.0 and float(np.linalg.norm(way)) > RUNNING_SHARE * self._top_speed * duration_s:
+        if duration_s < 1.0 and math.hypot(*way) > RUNNING_SHARE * self._top_speed * duration_s:
             self._ran_m = self._ran_m + way
             self._ran_s += duration_s
 
@@ -220,13 +220,8 @@ class BeltFollower:
         return max(TURNING_M_S2, 2.0 * float(np.linalg.norm(shift_m)) / duration_s**2)
 
     def _remember_heading(self) -> None:
-        speed = float(np.linalg.norm(self._velocity))
-        std = float(np.sqrt(np.trace(self._covariance[2:, 2:])))
+        speed = math.hypot(*self._velocity)
+        std = math.sqrt(self._covariance[2, 2] + self._covariance[3, 3])
         if speed > 0.03 and std < 0.15 * speed:
             self._heading = self._velocity / speed
             self._top_speed = max(self._top_speed, speed)
-
-
-def _variance(seen: Measured) -> F64:
-    """Return the mean variance per axis of the measured centres, (m,)."""
-    return np.asarray(np.trace(seen.covariance_m2, axis1=1, axis2=2) / 3.0)

@@ -52,6 +52,9 @@ class OptimalAssignment:
         near = np.flatnonzero((pairs.squared <= self._gate) & (pairs.apart <= SAME_BODY))
         if not len(near):
             return taken
+        if _one_each(pairs.tracks[near]) and _one_each(pairs.views[near]):
+            taken[near] = True
+            return taken
         row_of, rows = np.unique(pairs.tracks[near], return_inverse=True)
         column_of, columns = np.unique(pairs.views[near], return_inverse=True)
         cost = pairs.squared[near] + self._look_weight * np.minimum(pairs.unlike[near], self._most_unlike)
@@ -63,6 +66,10 @@ class OptimalAssignment:
         chosen[row, column] = table[row, column] < alone
         taken[near] = chosen[rows, columns]
         return taken
+
+
+def _one_each(numbers: Ints) -> bool:
+    return len(set(numbers.tolist())) == len(numbers)
 
 
 def _assigned(table: F64) -> tuple[Ints, Ints]:

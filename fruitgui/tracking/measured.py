@@ -16,6 +16,8 @@ from fruitgui.tracking.field import FieldOfView
 LOOK_STD = np.array([0.005, 0.10, 0.03, 0.03, 0.15])
 """How much one fruit's look differs from view to view: height (m), log size, red and green share, log brightness."""
 
+_PAIR_STD = LOOK_STD * np.sqrt(2.0)
+
 CUT_STD_M = 0.02
 """What a centre is off by where the picture's edge cuts the fruit: up to half a radius."""
 
@@ -133,22 +135,34 @@ def _covariances(own: F64, views: tuple[FruitView, ...], mount: Mount, cut: Bool
     turned = R @ (0.5 * (own + own.transpose(0, 2, 1))) @ R.T
     shared = np.array([view.shared for view in views], dtype=bool)
     extra = 1e-7 + cut * CUT_STD_M**2 + shared * SPLIT_STD_M**2
-    return np.asarray(turned + extra[:, None, None] * np.eye(3))
+    turned[:, [0, 1, 2], [0, 1, 2]] += extra[:, None]
+    return np.asarray(turned)
 
 
 def _looks(views: tuple[FruitView, ...], size_m: F64) -> F64:
     """Return (m, 5) of height, log size, red and green share and log brightness of the patch's middle."""
     if not views:
         return np.zeros((0, len(LOOK_STD)))
-    middles = np.stack([view.patch[12:28:2, 12:28:2].reshape(-1, 3) for view in views])
-    color = middles.mean(axis=1, dtype=np.float64) + 1.0
+    middles = np.array([view.patch[12:28:2, 12:28:2] for view in views])
+    color = middles.mean(axis=(1, 2), dtype=np.float64) + 1.0
     total = color.sum(axis=1)
     height_m = np.array([view.height_m for view in views])
     share = color[:, :2] / total[:, None]
     return np.column_stack([height_m, np.log(np.maximum(size_m, 1e-3)), share, np.log(total)])
 
 
+def distances_m(first_m: F64, second_m: F64) -> F64:
+    """Return the distances (n, m) of points (n, 3) from points (m, 3)."""
+    apart = first_m[:, None] - second_m[None]
+    return np.asarray(np.sqrt(np.einsum("nmi,nmi->nm", apart, apart)))
+
+
+def variances(covariances_m2: F64) -> F64:
+    """Return the mean variance per axis of covariances (m, 3, 3), (m,)."""
+    return np.asarray(np.einsum("kii->k", covariances_m2) / 3.0)
+
+
 def look_distance(first: F64, second: F64) -> F64:
     """Return squared distances (n, m) between looks (n, 5) and (m, 5), in standard deviations of one view's."""
-    scaled = (first[:, None] - second[None]) / (LOOK_STD * np.sqrt(2.0))
-    return np.asarray((scaled * scaled).sum(axis=2))
+    scaled = first[:, None] / _PAIR_STD - second[None] / _PAIR_STD
+    return np.asarray(np.einsum("nmk,nmk->nm", scaled, scaled))

@@ -85,6 +85,8 @@ class Majority:
     def obvious_twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
         """Return the better supported trail at the same place with which this one takes turns."""
         turns = {number for number, company in trail.company.items() if company.one >= 8 * max(company.both, 1)}
+        if not turns:
+            return None
         same = [o for o in others if o.number in turns and _rank(o) > _rank(trail) and _inside(trail, o)]
         return max(same, key=_rank, default=None)
 

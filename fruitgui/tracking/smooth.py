@@ -26,19 +26,23 @@ BELT_JITTER_M = 0.001
 
 def smoothed_path(entries: Sequence[Entry], rig: Rig, settings: TrackerSettings) -> tuple[PathPoint, ...]:
     """Return the fruit's position with covariance at each of the entries, in their order."""
-    from scipy.linalg import cho_factor, cho_solve
+    from scipy.linalg import cholesky, solve_triangular
 
     m = len(entries)
     y = np.array([entry.position_m for entry in entries])
     travelled = np.array([entry.travelled_m for entry in entries])
-    K = np.kron(_slip_covariance(np.array([entry.time_s for entry in entries]), settings), np.eye(3))
+    prior = _slip_covariance(np.array([entry.time_s for entry in entries]), settings)
+    K = np.kron(prior, np.eye(3))
     start = np.median(y - travelled, axis=0)
-    factor = cho_factor(K + _noise(entries, y, rig, settings), lower=True)
-    mean = (travelled + start).ravel() + K @ cho_solve(factor, (y - travelled - start).ravel())
-    covariance = K - K @ cho_solve(factor, K)
-    blocks = covariance.reshape(m, 3, m, 3)[np.arange(m), :, np.arange(m)]
-    points = mean.reshape(m, 3)
-    return tuple(PathPoint(entry.time_s, points[i], 0.5 * (blocks[i] + blocks[i].T)) for i, entry in enumerate(entries))
+    L = cholesky(K + _noise(entries, y, rig, settings), lower=True, check_finite=False)
+    both = np.column_stack([K, (y - travelled - start).ravel()])
+    both = solve_triangular(L, both, lower=True, check_finite=False)
+    known, seen = both[:, :-1], both[:, -1]
+    points = travelled + start + (seen @ known).reshape(m, 3)
+    # Of the posterior only each point's own covariance is asked for.
+    columns = known.T.reshape(m, 3, 3 * m)
+    covariance = np.diagonal(prior)[:, None, None] * np.eye(3) - columns @ columns.transpose(0, 2, 1)
+    return tuple(PathPoint(entry.time_s, points[i], covariance[i]) for i, entry in enumerate(entries))
 
 
 def _slip_covariance(time_s: F64, settings: TrackerSettings) -> F64:
@@ -61,9 +65,10 @@ def _noise(entries: Sequence[Entry], y: F64, rig: Rig, settings: TrackerSettings
     sensors = np.array([entry.view.sensor for entry in entries])
     for sensor in dict.fromkeys(sensors.tolist()):
         own = np.flatnonzero(sensors == sensor)
-        pose = np.einsum("iab,bc,jdc->iajd", G[own], pose_covariance(rig, sensor), G[own])
+        J, S = G[own].reshape(-1, 6), L[own].reshape(-1, 3)
+        pose = (J @ pose_covariance(rig, sensor) @ J.T).reshape(len(own), 3, len(own), 3)
         alike = _alike([entries[i] for i in own.tolist()], settings)
-        lasting = alike[:, None, :, None] * np.einsum("iab,jcb->iajc", L[own], L[own])
+        lasting = alike[:, None, :, None] * (S @ S.T).reshape(pose.shape)
         N[own[:, None, None, None], np.arange(3)[None, :, None, None], own[None, None, :, None], np.arange(3)] = (
             pose + lasting
         )

@@ -14,7 +14,7 @@ from fruitgui.tracking.closing import Closing
 from fruitgui.tracking.field import FieldOfView
 from fruitgui.tracking.follow import BeltModel
 from fruitgui.tracking.matching import Pairs
-from fruitgui.tracking.measured import Measured, look_distance, measured
+from fruitgui.tracking.measured import Measured, distances_m, look_distance, measured, variances
 from fruitgui.tracking.mode import TrackingMode, product_mode
 from fruitgui.tracking.resolve import NEIGHBOUR_M
 from fruitgui.tracking.second_look import Claims
@@ -28,6 +28,8 @@ SMALLEST_M = 0.035
 
 CLUTTER_FRAMES = 6
 """A track of one or two views whose place then shows nothing for so many frames was never there."""
+
+_EYE = np.eye(3)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -142,7 +144,7 @@ class Tracker:
         self._filter.predict(seen.time_s - self._time_s, belt.advance(seen.time_s))
         self._time_s = seen.time_s
         if len(seen) and self._trails and not late:
-            variance = np.trace(self._filter.position_covariance_m2, axis1=1, axis2=2) / 3.0
+            variance = variances(self._filter.position_covariance_m2)
             missed = belt.correct(self._filter.position_m, variance, self._looks(), self._steady(), seen)
             self._filter.shift(missed)
         claims = self._claims(seen)
@@ -168,7 +170,7 @@ class Tracker:
             return Claims(none, none, seen)
         tracks, views, apart = self._near_pairs(seen)
         residual, S = self._filter.innovations(tracks, views, seen)
-        S = S + self._mode.model_std_m**2 * np.eye(3)
+        S = S + self._mode.model_std_m**2 * _EYE
         squared = np.einsum("ki,ki->k", residual, np.linalg.solve(S, residual[:, :, None])[:, :, 0])
         unlike = look_distance(self._looks(), seen.looks)[tracks, views]
         taken = self._mode.association.match(Pairs(tracks, views, squared, unlike, apart))
@@ -178,9 +180,8 @@ class Tracker:
     def _near_pairs(self, seen: Measured) -> tuple[Ints, Ints, F64]:
         """Return the pairs (track, view) worth a closer look, and how far apart they are in units of their size."""
         position, covariance = self._filter.position_m, self._filter.position_covariance_m2
-        std = np.sqrt(np.trace(covariance, axis1=1, axis2=2))
-        own = np.sqrt(np.trace(seen.covariance_m2, axis1=1, axis2=2))
-        distance = np.linalg.norm(position[:, None] - seen.position_m[None], axis=2)
+        std, own = np.sqrt(3.0 * variances(covariance)), np.sqrt(3.0 * variances(seen.covariance_m2))
+        distance = distances_m(position, seen.position_m)
         tracks, views = np.nonzero(distance < 0.04 + 4.1 * (std[:, None] + own[None]))
         size = np.array([trail.size_m for trail in self._trails])
         body = np.maximum(np.maximum(size[tracks], seen.size_m[views]), SMALLEST_M)
@@ -199,10 +200,12 @@ class Tracker:
         covered = np.zeros(len(self._trails), dtype=bool)
         for group in claims.merged:
             covered[list(group)] = True
-        for i, trail in enumerate(self._trails):
-            should = bool(depth[i] > 0.5 * trail.size_m)
-            trail.expected += should or bool(hit[i])
-            trail.unseen = 0 if hit[i] or covered[i] else trail.unseen + should
+        for trail, inside_m, seen, under in zip(
+            self._trails, depth.tolist(), hit.tolist(), covered.tolist(), strict=True
+        ):
+            should = inside_m > 0.5 * trail.size_m
+            trail.expected += should or seen
+            trail.unseen = 0 if seen or under else trail.unseen + should
         for track, view in zip(claims.tracks.tolist(), claims.views.tolist(), strict=True):
             self._see(self._trails[track], claims.seen, view, travelled_m)
         self._keep_company(position, depth, hit, claims)
@@ -222,19 +225,20 @@ class Tracker:
         """Count, for every two close tracks that this frame should show, whether it showed both, one or a group."""
         if len(position_m) < 2:
             return
-        apart = np.linalg.norm(position_m[:, None] - position_m[None], axis=2)
         should = (depth_m > 0.02) | hit
-        close = np.triu(apart < NEIGHBOUR_M, 1) & should[:, None] & should[None]
+        close = np.triu(distances_m(position_m, position_m) < NEIGHBOUR_M, 1) & should[:, None] & should[None]
         groups = [set(group) for group in claims.merged]
+        shown = hit.tolist()
         for i, j in np.argwhere(close).tolist():
             group = any(i in members and j in members for members in groups)
-            if not (group or hit[i] or hit[j]):
+            if not (group or shown[i] or shown[j]):
                 continue
-            for own, other in ((i, j), (j, i)):
-                company = self._trails[own].company_of(self._trails[other].number)
+            both, one = shown[i] and shown[j], shown[i] != shown[j] and not group
+            first, second = self._trails[i], self._trails[j]
+            for company in (first.company_of(second.number), second.company_of(first.number)):
                 company.merged += group
-                company.both += bool(hit[i] and hit[j])
-                company.one += bool(hit[i] != hit[j]) and not group
+                company.both += both
+                company.one += one
 
     def _add(self, claims: Claims, travelled_m: F64) -> None:
         """Begin a track at every view that belongs to nothing."""

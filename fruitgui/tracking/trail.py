@@ -91,7 +91,7 @@ class Trail:
     @property
     def place_m(self) -> F64:
         """Return where the fruit lies on the belt: its position less the belt's displacement, (3,)."""
-        return np.asarray(self.position_m - self.travelled_m)
+        return self.position_m - self.travelled_m
 
     def see(self, entry: Entry, looks: F64, size_m: float, most: int) -> None:
         """Take a sighting; keep about `most` of them."""
@@ -111,7 +111,10 @@ class Trail:
 
     def company_of(self, other: int) -> Company:
         """Return the record with another track, begun if there is none."""
-        return self.company.setdefault(other, Company())
+        found = self.company.get(other)
+        if found is None:
+            found = self.company[other] = Company()
+        return found
 
     def shown_beside(self, other: Trail) -> int:
         """Return how many frames showed this track and the other as two views."""

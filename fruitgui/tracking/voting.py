@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,7 +28,9 @@ class CommonShift:
     votes: float
 
 
-def common_shift(residual_m: F64, std_m: F64, likeness: F64, admissible: Bools, bonus: F64) -> CommonShift | None:
+def common_shift(
+    residual_m: F64, std_m: F64, likeness: F64, admissible: Bools, bonus: Callable[[F64], F64] | None = None
+) -> CommonShift | None:
     """Return the shift on which most views agree, each with one track; None where no pair is admissible.
 
     Args:
@@ -35,7 +38,7 @@ def common_shift(residual_m: F64, std_m: F64, likeness: F64, admissible: Bools, 
         likeness: (n, m), 0-1, how much alike track and view look.
         admissible: (n, m), pairs that could be the same fruit.
         std_m: (n, m) how far view and track of one fruit differ, one standard deviation per axis.
-        bonus: (n, m) prior votes for each pair's own residual as the shift.
+        bonus: prior votes (k,) for residuals (k, 2) as the shift; none where left out.
     """
     track, view = np.nonzero(admissible & (likeness > 0.02))
     if not len(track):
@@ -43,12 +46,14 @@ def common_shift(residual_m: F64, std_m: F64, likeness: F64, admissible: Bools, 
     order = np.argsort(view, kind="stable")
     track, view = track[order], view[order]
     candidates, weight, sigma = residual_m[track, view], likeness[track, view], std_m[track, view]
-    apart = candidates[:, None] - candidates[None]
-    agree = np.exp(-0.5 * (apart * apart).sum(axis=2) / sigma**2) * weight
-    starts = np.flatnonzero(np.diff(view, prepend=-1))
-    score = np.maximum.reduceat(agree, starts, axis=1).sum(axis=1) + bonus[track, view]
-    best = candidates[int(np.argmax(score))]
-    apart_best = np.linalg.norm(candidates - best, axis=1) / sigma
+    apart = (candidates[:, None, 0] - candidates[:, 0]) ** 2 + (candidates[:, None, 1] - candidates[:, 1]) ** 2
+    agree = np.exp(apart / (-2.0 * sigma**2)) * weight
+    starts = np.flatnonzero(np.concatenate([[True], view[1:] != view[:-1]]))
+    score = np.maximum.reduceat(agree, starts, axis=1).sum(axis=1)
+    if bonus is not None:
+        score += bonus(candidates)
+    best = int(np.argmax(score))
+    apart_best = np.sqrt(apart[best]) / sigma
     pick = _one_each(track, view, apart_best**2 - 2.0 * np.log(weight), apart_best < 3.0)
     precision = 1.0 / sigma[pick] ** 2
     shift = (precision[:, None] * candidates[pick]).sum(axis=0) / precision.sum()
