@@ -29,7 +29,7 @@ SAME_BORDER_M = 0.08
 """Edges of one rail stand at several heights; seen from the side they fall this far apart on the belt."""
 
 SAME_BORDER_RAD = float(np.radians(1.0))
-FLOOR_RAD = float(np.radians(0.02))
+FLOOR_RAD = float(np.radians(0.012))
 """What a lens bends unnoticed along one border: 0.1 px in 300."""
 
 

@@ -11,9 +11,10 @@ from fruitgui.calibration import graph
 from fruitgui.calibration.evidence import evidence
 from fruitgui.calibration.flat import Shift
 from fruitgui.calibration.graph import Edge, Solution
-from fruitgui.calibration.pair import Ready, Registration, register
+from fruitgui.calibration.pair import Registration, register
 from fruitgui.calibration.paper import paper_poses
 from fruitgui.calibration.quality import belt_warnings, placed_quality, surface_quality
+from fruitgui.calibration.ready import Ready
 from fruitgui.calibration.relief import Relief, relief
 from fruitgui.calibration.result import Calibration, Code, Reason, Refusal, reason
 from fruitgui.calibration.still import Still, average

@@ -18,7 +18,7 @@ LOOP_BOUND = 25.0
 """Squared, normalised error per edge beyond which a loop does not close (3 degrees of freedom, 5e-6 of true ones
 after the floor below)."""
 
-EDGE_FLOOR = np.diag([0.0003, 0.0003, 0.0004]) ** 2
+EDGE_FLOOR = np.diag([0.00015, 0.00015, 0.00015]) ** 2
 """Errors that pairs do not know of (m, m, rad): what a sensor bends in the picture."""
 
 

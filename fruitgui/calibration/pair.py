@@ -7,19 +7,22 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from fruitgui.calibration import borders, coarse, fine
-from fruitgui.calibration import lines as rails
-from fruitgui.calibration.evidence import Evidence, Sight, evidence
-from fruitgui.calibration.fine import Fit, Target
+from fruitgui.calibration.evidence import Evidence, evidence
+from fruitgui.calibration.fine import Fit
 from fruitgui.calibration.flat import Shift
-from fruitgui.calibration.lines import Turn
+from fruitgui.calibration.held import Held, held
+from fruitgui.calibration.ready import Ready
 from fruitgui.calibration.relief import Relief
 from fruitgui.calibration.result import Code, PairQuality
 from fruitgui.frame import F64
 
 QUICK_M = (0.03, 0.03, 0.03, 0.02, 0.015, 0.012)
 DIFFERENT_M, DIFFERENT_RAD = 0.008, float(np.radians(0.7))
-SURELY_SAME_RAD = float(np.radians(0.3))
 FEWEST_THINGS = 3
+FEWEST_ON_TEXTURE = 2
+FOR_TEXTURE = 15.0
+"""A texture alike by eight standard deviations of chance is worth three things that meet."""
+
 ENOUGH_TO_TELL_MOVED = 5
 LEAST_EVIDENCE = 22.0
 LEAST_MARGIN = 12.0
@@ -27,29 +30,28 @@ WORST_POSITION_STD_M = 0.0015
 WORST_HEADING_STD_RAD = float(np.radians(0.15))
 
 
-class Ready:
-    """One relief with what both roles in a pair need, built once per sensor."""
-
-    def __init__(self, relief: Relief) -> None:
-        self.relief = relief
-        self.sight = Sight(relief)
-        self.target = Target(relief)
-        self.thin = _thinned(relief, 6)
-        self.lines = rails.lines(relief)
-        self.borders = borders.borders(relief)
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Hypothesis:
-    """A shift with its fit and what speaks for it."""
+    """A shift with its fit, what speaks for it, and what else holds it, where that was asked."""
 
     fit: Fit
     evidence: Evidence
+    held: Held | None = None
 
     @property
     def shift(self) -> Shift:
         """The shift, source's belt frame → target's."""
-        return self.fit.shift
+        return self.fit.shift if self.held is None else self.held.shift
+
+    @property
+    def textured(self) -> bool:
+        """Whether the belt's texture bears it out."""
+        return self.held is not None and self.held.textured
+
+    @property
+    def support(self) -> float:
+        """All that speaks for it (log scale)."""
+        return self.evidence.log_likelihood + FOR_TEXTURE * self.textured
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,13 +86,11 @@ def register(source: Ready, target: Ready, expected: Shift | None = None) -> Reg
     if min(source.relief.things, target.relief.things) == 0:
         bare = source.relief.sensor if source.relief.things == 0 else target.relief.sensor
         return _refused(source, target, "too_little_structure", f"{bare} sees a bare belt.", [])
-    ranked = _ranked(source, target, expected)
+    ranked = _witnessed(source, target, _ranked(source, target, expected))
     code, what = _verdict(source, target, ranked)
     if code is not None:
         return _refused(source, target, code, what, ranked)
     best, start = ranked[0]
-    best, covariance = _held_by_lines(source, target, best)
-    covariance = about_origin(covariance, best.fit.matched.centre_m)
     return Registration(
         source.relief.sensor,
         target.relief.sensor,
@@ -98,44 +98,9 @@ def register(source: Ready, target: Ready, expected: Shift | None = None) -> Reg
         "",
         best,
         start,
-        covariance,
+        None if best.held is None else best.held.about_origin,
         _quality(source, target, ranked, accepted=True),
     )
-
-
-def about_origin(covariance: F64, centre_m: F64) -> F64:
-    """Carry the (3, 3) covariance of (x, y, θ about a centre) to a turn about the origin."""
-    J = np.eye(3)
-    J[0, 2], J[1, 2] = centre_m[1], -centre_m[0]
-    return np.asarray(J @ covariance @ J.T)
-
-
-def _held_by_lines(source: Ready, target: Ready, best: Hypothesis) -> tuple[Hypothesis, F64]:
-    """Return the best fit with its heading settled by borders or rails that both see, and its covariance.
-
-    The covariance is of (x, y, θ about the centre of what is matched). With the heading settled, the shift is
-    fitted anew: what the fruit's own heading erred would else stay in it. A line that contradicts the fruit by more
-    than four standard deviations, and more than lines that lie so near each other ever do, is not the same line.
-    """
-    covariance = fine.covariance(source.relief, target.relief, best.fit)
-    turn = _turn(source, target, best.shift)
-    if turn is None or turn.turn_rad**2 > max(16 * (covariance[2, 2] + turn.std_rad**2), SURELY_SAME_RAD**2):
-        return best, covariance
-    share = covariance[2, 2] / (covariance[2, 2] + turn.std_rad**2)
-    turned = best.shift.about(best.fit.matched.centre_m, np.array([0.0, 0.0, share * turn.turn_rad]))
-    fit = fine.settle(source.relief, target.target, turned)
-    if fit is None:
-        return best, covariance
-    held = np.zeros((3, 3))
-    held[:2, :2] = fine.covariance(source.relief, target.relief, fit, turning=False)[:2, :2]
-    held[2, 2] = (1.0 - share) * covariance[2, 2]
-    return replace(best, fit=fit), held
-
-
-def _turn(source: Ready, target: Ready, shift: Shift) -> Turn | None:
-    """Return what straight things say of a heading: borders in the colour pictures, else rails in the depth."""
-    seen = borders.turn_between(source.borders, target.borders, shift)
-    return rails.turn_between(source.lines, target.lines, shift) if seen is None else seen
 
 
 def _ranked(source: Ready, target: Ready, expected: Shift | None = None) -> list[tuple[Hypothesis, Shift]]:
@@ -154,6 +119,18 @@ def _ranked(source: Ready, target: Ready, expected: Shift | None = None) -> list
         for hypothesis, _ in _tried(source, target, [found.shift], source.relief, fine.SCHEDULE_M)
     ]
     return _different(source.relief, refined)
+
+
+def _witnessed(source: Ready, target: Ready, ranked: list[tuple[Hypothesis, Shift]]) -> list[tuple[Hypothesis, Shift]]:
+    """Return hypotheses with what else holds those that might be the best, most convincing first."""
+    if not ranked or ranked[0][0].evidence.agreeing < FEWEST_ON_TEXTURE:
+        return ranked
+    bound = ranked[0][0].evidence.log_likelihood - FOR_TEXTURE - LEAST_MARGIN
+    asked = [
+        (replace(one, held=held(source, target, one.fit)) if one.evidence.log_likelihood > bound else one, start)
+        for one, start in ranked
+    ]
+    return sorted(asked, key=lambda entry: -entry[0].support)
 
 
 def _starts(source: Ready, target: Ready) -> list[Shift]:
@@ -194,8 +171,8 @@ def _different(relief: Relief, entries: list[tuple[Hypothesis, Shift]]) -> list[
 
 def _margin(ranked: list[tuple[Hypothesis, Shift]]) -> float:
     if len(ranked) < 2:
-        return ranked[0][0].evidence.log_likelihood
-    return ranked[0][0].evidence.log_likelihood - ranked[1][0].evidence.log_likelihood
+        return ranked[0][0].support
+    return ranked[0][0].support - ranked[1][0].support
 
 
 def _verdict(source: Ready, target: Ready, ranked: list[tuple[Hypothesis, Shift]]) -> tuple[Code | None, str]:
@@ -209,7 +186,8 @@ def _verdict(source: Ready, target: Ready, ranked: list[tuple[Hypothesis, Shift]
     said = best.evidence
     if said.agreeing >= ENOUGH_TO_TELL_MOVED and said.conflicting and _margin(ranked) >= LEAST_MARGIN:
         return _conflict(names, said)
-    if said.agreeing < FEWEST_THINGS or said.log_likelihood < LEAST_EVIDENCE:
+    fewest = FEWEST_ON_TEXTURE if best.textured else FEWEST_THINGS
+    if said.agreeing < fewest or best.support < LEAST_EVIDENCE or best.held is None:
         if few:
             return "too_little_structure", f"{names} see too few things on the belt to be matched."
         return "too_little_overlap", f"{names} have only {said.agreeing} things in common."
@@ -217,12 +195,10 @@ def _verdict(source: Ready, target: Ready, ranked: list[tuple[Hypothesis, Shift]
         return "ambiguous", f"What {names} see fits together in two or more ways."
     if said.conflicting:
         return _conflict(names, said)
-    _, covariance = _held_by_lines(source, target, best)
-    position = float(np.sqrt(covariance[0, 0] + covariance[1, 1]))
-    if position > WORST_POSITION_STD_M or covariance[2, 2] > WORST_HEADING_STD_RAD**2:
+    if best.held.position_std_m > WORST_POSITION_STD_M or best.held.heading_std_rad > WORST_HEADING_STD_RAD:
         return "too_little_structure", (
-            f"What {names} have in common holds them only to {1e3 * position:.1f} mm and "
-            f"{np.degrees(np.sqrt(covariance[2, 2])):.2f}°."
+            f"What {names} have in common holds them only to {1e3 * best.held.position_std_m:.1f} mm and "
+            f"{np.degrees(best.held.heading_std_rad):.2f}°."
         )
     return None, ""
 
@@ -293,13 +269,3 @@ def _scale(source: Relief, target: Relief, shift: Shift) -> float:
     a, b = mapped[met], target.peaks_m[near[met], :2]
     a, b = a - a.mean(axis=0), b - b.mean(axis=0)
     return float((a * b).sum() / (a * a).sum())
-
-
-def _thinned(relief: Relief, step: int) -> Relief:
-    return replace(
-        relief,
-        points_m=relief.points_m[::step],
-        normals=relief.normals[::step],
-        colors=relief.colors[::step],
-        thing=relief.thing[::step],
-    )

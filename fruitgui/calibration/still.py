@@ -15,6 +15,7 @@ from itertools import combinations, pairwise
 import cv2
 import numpy as np
 
+from fruitgui.calibration.levels import inverse_depths
 from fruitgui.errors import InputError
 from fruitgui.frame import F32, U8, Bools, Frame, Intrinsics
 
@@ -78,7 +79,8 @@ def average(frames: Sequence[Frame]) -> Still:
             f"Frames of {chosen[0].sensor} differ in size.",
             "Record all frames of a sensor at one resolution.",
         )
-    inverse = [_inverse_depth(frame) for frame in chosen]
+    of_reading = inverse_depths(chosen)
+    inverse = [np.take(of_reading, frame.depth_mm) for frame in chosen]
     return Still(
         sensor=chosen[0].sensor,
         intrinsics=chosen[0].intrinsics,
@@ -94,13 +96,6 @@ def _spread(frames: Sequence[Frame], most: int) -> list[Frame]:
     if len(frames) <= most:
         return list(frames)
     return [frames[i] for i in np.linspace(0, len(frames) - 1, most).round().astype(int)]
-
-
-def _inverse_depth(frame: Frame) -> F32:
-    z = frame.depth_mm.astype(np.float32)
-    inverse: F32 = np.zeros_like(z)
-    np.divide(np.float32(1000.0), z, out=inverse, where=(z > 0) & (z < 65535))
-    return inverse
 
 
 def _robust_mean(inverse: Sequence[F32]) -> F32:

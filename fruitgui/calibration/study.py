@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import permutations
+from itertools import combinations, permutations
 
 import numpy as np
 
@@ -50,6 +50,18 @@ class Errors:
     se3_covariance: F64
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Closure:
+    """How well registrations agree among themselves: a → b → c against a → c, which needs no known pose.
+
+    Attributes:
+        rotation_rad, translation_m: (N,) of every triple of views whose three pairs were registered.
+    """
+
+    rotation_rad: F64
+    translation_m: F64
+
+
 @dataclass(frozen=True, slots=True)
 class LeftOut:
     """A pair of views that was not registered, and why."""
@@ -66,6 +78,8 @@ class Study:
     Attributes:
         views: how many. pairs: ordered pairs of them. registered: pairs accepted.
         product, paper: errors of both methods over the same pairs; None where no pair was registered.
+        closure: how well the product's registrations agree among themselves; errors far above it are not theirs
+            but of the known poses, or of what bends the sensor's depth.
         left_out: the other pairs.
     """
 
@@ -74,6 +88,7 @@ class Study:
     registered: int
     product: Errors | None
     paper: Errors | None
+    closure: Closure | None
     left_out: tuple[LeftOut, ...]
 
 
@@ -117,7 +132,26 @@ def summed_up(poses: Sequence[Pose], matches: Mapping[tuple[int, int], Match]) -
         registered=len(accepted),
         product=errors(product, real) if product else None,
         paper=errors(paper, real) if paper else None,
+        closure=closure({pair: match.pose for pair, match in accepted.items() if match.pose is not None}, len(poses)),
         left_out=tuple(LeftOut(*pair, match.reason) for pair, match in matches.items() if match.pose is None),
+    )
+
+
+def closure(found: Mapping[tuple[int, int], Pose], views: int) -> Closure | None:
+    """Return how far every triple of pairs fails to close; None where there is none."""
+    triples = [
+        (found[a, b], found[b, c], found[a, c])
+        for a, b, c in combinations(range(views), 3)
+        if {(a, b), (b, c), (a, c)} <= found.keys()
+    ]
+    if not triples:
+        return None
+    gaps = [(last @ first) @ direct.inverse() for first, last, direct in triples]
+    return Closure(
+        rotation_rad=np.array([float(np.linalg.norm(vector_from_rotation(gap.rotation))) for gap in gaps]),
+        translation_m=np.array(
+            [np.linalg.norm((b @ a).translation_m - direct.translation_m) for a, b, direct in triples], np.float64
+        ),
     )
 
 

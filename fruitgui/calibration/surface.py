@@ -21,8 +21,12 @@ from fruitgui.geometry.plane import Plane, Surface
 
 OBJECT_HEIGHTS_M = (0.015, 0.25)
 OBJECT_AREAS_M2 = (4e-4, 0.09)
-BENT_RAD, BENT_M = float(np.radians(0.018)), 0.0001
-"""What steps, lens and registration bend in a picture and no residual shows."""
+MARGIN_PX = 4.0
+"""Edges are fattened by up to two pixels and registered to within one, at 640 pixels across."""
+
+LEAST_STEP_OFF = 1e-3
+BENT_RAD, BENT_M = float(np.radians(0.008)), 0.0001
+"""What lens and registration bend in a picture and no residual shows."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -135,12 +139,12 @@ def _lies_under(plane: Plane, other: Plane, still: Still, other_coefficients: F6
 
 
 def _away_from_objects(still: Still, fit: PlaneFit) -> Bools:
-    """Return pixels not beside anything that rises above the plane: fattened edges pull on the fit there."""
-    z = np.divide(1.0, still.inverse_depth, out=np.zeros_like(still.inverse_depth), where=still.seen)
-    height_m = fit.plane.height_m(still.points())
-    risen = still.seen & (height_m > 0.008 + 2 * planes.ON_PLANE * z**2)
-    margin = 2 * max(2, round(6 * still.intrinsics.width / 640)) + 1
-    return np.asarray(cv2.dilate(risen.astype(np.uint8), np.ones((margin, margin), np.uint8)) == 0)
+    """Return pixels not beside anything that leaves the plane, low rails too: fattened edges pull on the fit there."""
+    off = still.inverse_depth - planes.rays_of(still) @ fit.coefficients
+    leaves = still.seen & (np.abs(off) > max(4.0 * fit.spread, LEAST_STEP_OFF))
+    patches = cv2.morphologyEx(leaves.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+    margin = 2 * max(2, round(MARGIN_PX * still.intrinsics.width / 640)) + 1
+    return np.asarray(cv2.dilate(patches, np.ones((margin, margin), np.uint8)) == 0)
 
 
 def _covariance_on_plane(fit: PlaneFit) -> F64:
