@@ -15,7 +15,6 @@ import numpy as np
 
 from fruitgui.calibration.paper import point_to_point
 from fruitgui.calibration.still import INVERSE_NOISE, INVERSE_STEP, Still
-from fruitgui.frame import F64
 from fruitgui.geometry.pose import Pose
 
 if TYPE_CHECKING:
@@ -171,7 +170,7 @@ def refine_any(source: Scan, target: Scan, start: Pose) -> Pose | None:
 def _aligned(
     source: o3d.geometry.PointCloud, target: o3d.geometry.PointCloud, start: Pose, *, reach_m: float, scale_m: float
 ) -> Pose | None:
-    """Return where robust point-to-plane ICP (Tukey, cut at three times the scale) comes to rest; None where it is lost."""
+    """Return where robust point-to-plane ICP (Tukey, cut at three times the scale) comes to rest; None if lost."""
     import open3d as o3d
 
     registration = o3d.pipelines.registration

@@ -9,7 +9,7 @@ from typing import Any
 
 from fruitgui.evaluation.chain import Acts, Chain, accuracy, pose_errors, run_chain
 from fruitgui.evaluation.metrics import Metric, mean
-from fruitgui.evaluation.paper import run_paper
+from fruitgui.evaluation.paper import PaperRun, run_paper
 from fruitgui.evaluation.scoring import score
 from fruitgui.evaluation.stage import Act
 from fruitgui.geometry.pose import Pose
@@ -55,7 +55,7 @@ def evaluate(
         "seed": seed,
         "calibration_refused": [reason.code for reason in chain.calibration.reasons],
         "product": _values(_product(chain, acts)),
-        "paper": _values(_paper(paper.poses, paper.fruit, acts)),
+        "paper": _values(_paper(paper, acts)),
     }
 
 
@@ -64,16 +64,17 @@ def _product(chain: Chain, acts: Acts) -> dict[str, Metric]:
     if station is None or chain.score is None or chain.report is None:
         return {}
     poses = {name: sensor.pose for name, sensor in station.sensors.items()}
-    frame_ms = chain.report["timing"]["frame_ms"]["p50"]
-    return {
-        **_poses(poses, acts),
-        **accuracy(chain.score, KINDS),
-        "frame_ms": Metric(frame_ms, None, None, chain.report["timing"]["frames"]),
-    }
+    return {**_poses(poses, acts), **accuracy(chain.score, KINDS), **_speed(chain.report["timing"])}
 
 
-def _paper(poses: Mapping[str, Pose], fruit: list[dict[str, Any]], acts: Acts) -> dict[str, Metric]:
-    return {**_poses(poses, acts), **accuracy(score(fruit, acts.line.simulation.truth), KINDS)}
+def _paper(run: PaperRun, acts: Acts) -> dict[str, Metric]:
+    judged = score(run.fruit, acts.line.simulation.truth)
+    return {**_poses(run.poses, acts), **accuracy(judged, KINDS), **_speed(run.timing)}
+
+
+def _speed(timing: Mapping[str, Any]) -> dict[str, Metric]:
+    """Return how long perceiving and tracking one frame took, median."""
+    return {"frame_ms": Metric(timing["frame_ms"]["p50"], None, None, timing["frames"])}
 
 
 def _poses(poses: Mapping[str, Pose], acts: Acts) -> dict[str, Metric]:

@@ -7,7 +7,8 @@ speed given, mirrored hulls. Nothing is refused and nothing is unknown.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import time
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -27,10 +28,10 @@ from fruitgui.perception.limits import depth_limits
 from fruitgui.perception.paper import PAPER_FEATURE_NAMES, KMeansSplitter, paper_view_features
 from fruitgui.perception.perceiver import Perceiver
 from fruitgui.perception.settings import PerceptionSettings
-from fruitgui.perception.view import Observation
 from fruitgui.progress import Cancelled, never_cancelled, stop_if
 from fruitgui.sensors.recordings import open_recording
 from fruitgui.station.calibrate_job import read_stills
+from fruitgui.station.timing import Stopwatch
 from fruitgui.tracking.belt import BeltMotion
 from fruitgui.tracking.mode import paper_mode
 from fruitgui.tracking.settings import TrackerSettings
@@ -53,10 +54,12 @@ class PaperRun:
     Attributes:
         poses: by sensor; empty where even the first guess was refused.
         fruit: as a report has them, without what the source does not measure.
+        timing: of the line, as a report has it.
     """
 
     poses: Mapping[str, Pose]
     fruit: list[dict[str, Any]]
+    timing: dict[str, Any]
 
 
 def run_paper(acts: Acts, folder: Path, cancelled: Cancelled = never_cancelled) -> PaperRun:
@@ -67,11 +70,12 @@ def run_paper(acts: Acts, folder: Path, cancelled: Cancelled = never_cancelled) 
     """
     calibration = calibrate(read_stills(open_recording(acts.still.path(folder))), with_paper=True, cancelled=cancelled)
     if not isinstance(calibration, Calibration):
-        return PaperRun({}, [])
+        return PaperRun({}, [], Stopwatch().value())
     rig = _paper_rig(calibration)
-    model = _train(acts.training, _tracks(acts.training, folder, rig, cancelled), rig)
-    fruit = [_value(track, rig, model) for track in _tracks(acts.line, folder, rig, cancelled)]
-    return PaperRun(calibration.paper, fruit)
+    model = _train(acts.training, _tracks(acts.training, folder, rig, Stopwatch(), cancelled), rig)
+    watch = Stopwatch()
+    fruit = [_value(track, rig, model) for track in _tracks(acts.line, folder, rig, watch, cancelled)]
+    return PaperRun(calibration.paper, fruit, watch.value())
 
 
 def _paper_rig(calibration: Calibration) -> Rig:
@@ -89,28 +93,29 @@ def _with_covariance(pose: Pose, ours: Pose) -> Pose:
     return Pose(pose.rotation, pose.translation_m, ours.covariance)
 
 
-def _tracks(act: Act, folder: Path, rig: Rig, cancelled: Cancelled) -> list[Track]:
+def _tracks(act: Act, folder: Path, rig: Rig, watch: Stopwatch, cancelled: Cancelled) -> list[Track]:
     velocity_m_s = act.simulation.truth.velocity_m_s(0.0)
     settings = TrackerSettings()
     tracker = Tracker(rig, BeltMotion(velocity_m_s), settings, paper_mode(settings))
+    perceivers = _perceivers(rig)
     tracks: list[Track] = []
-    for observation in _observations(act, folder, rig):
+    for time_s, frame in open_recording(act.path(folder)).frames():
         stop_if(cancelled)
-        tracks += tracker.update(observation)
+        began_s = time.perf_counter()
+        tracks += tracker.update(perceivers[frame.sensor].observe(frame, time_s))
+        watch.frame(time.perf_counter() - began_s)
     return tracks + tracker.finish()
 
 
-def _observations(act: Act, folder: Path, rig: Rig) -> Iterator[Observation]:
+def _perceivers(rig: Rig) -> dict[str, Perceiver]:
     settings = PerceptionSettings()
-    perceivers = {
+    return {
         name: Perceiver(
             name, mount.intrinsics, mount.surface, settings,
             KMeansSplitter(depth_limits(mount.intrinsics, mount.surface, settings), settings),
         )
         for name, mount in rig.mounts.items()
     }  # fmt: skip
-    for time_s, frame in open_recording(act.path(folder)).frames():
-        yield perceivers[frame.sensor].observe(frame, time_s)
 
 
 def _train(act: Act, tracks: Sequence[Track], rig: Rig) -> PaperModel:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from fruitgui.calibration.study import Component, Errors, LeftOut, study
+from fruitgui.calibration.study import Closure, Component, Errors, LeftOut, study
 from fruitgui.errors import InputError
 from fruitgui.frame import Frame
 from fruitgui.geometry.pose import Pose
@@ -55,6 +55,7 @@ def study_recording(
         "registered": result.registered,
         "product": _errors_value(result.product),
         "paper": _errors_value(result.paper),
+        "closure": _closure_value(result.closure),
         "left_out": [_left_out_value(one) for one in result.left_out],
         "warnings": warnings,
     }
@@ -94,6 +95,16 @@ def _errors_value(errors: Errors | None) -> dict[str, Any] | None:
     }
 
 
+def _closure_value(closure: Closure | None) -> dict[str, Any] | None:
+    if closure is None:
+        return None
+    return {
+        "loops": len(closure.rotation_rad),
+        "rotation_deg": _quantiles(np.degrees(closure.rotation_rad)),
+        "translation_mm": _quantiles(closure.translation_m * 1e3),
+    }
+
+
 def _quantiles(values: np.ndarray[Any, np.dtype[np.float64]]) -> dict[str, float]:
     return {"median": float(np.median(values)), "p90": float(np.quantile(values, 0.9))}
 
@@ -109,12 +120,12 @@ def _left_out_value(left_out: LeftOut) -> dict[str, Any]:
 def summary_lines(value: Mapping[str, Any]) -> list[str]:
     """Return the study's figures as lines for a person."""
     lines = [f"{value['registered']} of {value['pairs']} ordered pairs of {value['views']} views were registered."]
-    for mode in ("product", "paper"):
+    for mode, told in (("product", "product"), ("paper", "paper"), ("closure", "loops close")):
         if value[mode] is None:
             continue
         rotation, translation = value[mode]["rotation_deg"], value[mode]["translation_mm"]
         lines.append(
-            f"  {mode:<8} rotation {rotation['median']:.2f}° (p90 {rotation['p90']:.2f}°), "
+            f"  {told:<11} rotation {rotation['median']:.2f}° (p90 {rotation['p90']:.2f}°), "
             f"translation {translation['median']:.1f} mm (p90 {translation['p90']:.1f} mm)"
         )
     return lines

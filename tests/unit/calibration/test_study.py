@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from fruitgui.calibration.arbitrary import Match
-from fruitgui.calibration.study import errors, gaussian, real_pose, summed_up
+from fruitgui.calibration.study import closure, errors, gaussian, real_pose, summed_up
 from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rotation import rotation_from_vector
 
@@ -49,3 +49,27 @@ def test_pairs_left_out_are_named_with_the_reason() -> None:
     assert result.left_out[0].reason == "too little overlap"
     assert result.product is not None
     assert result.product.translation_m[0] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_wrong_known_poses_do_not_spoil_how_loops_close() -> None:
+    rng = np.random.default_rng(5)
+    poses = [random_pose(rng) for _ in range(4)]
+    pairs = [(a, b) for a in range(4) for b in range(4) if a != b]
+    matches = {(a, b): Match(real_pose(poses[a], poses[b]), None, "", 0.9, ()) for a, b in pairs}
+    result = summed_up([random_pose(rng) for _ in poses], matches)
+    assert result.product is not None
+    assert result.closure is not None
+    assert len(result.closure.rotation_rad) == 4
+    assert result.closure.translation_m.max() < 1e-12
+    assert np.median(result.product.translation_m) > 0.1
+
+
+def test_a_turned_registration_shows_in_its_loop() -> None:
+    rng = np.random.default_rng(6)
+    poses = [random_pose(rng) for _ in range(3)]
+    found = {(a, b): real_pose(poses[a], poses[b]) for a, b in ((0, 1), (1, 2), (0, 2))}
+    found[0, 2] = Pose(rotation_from_vector(np.array([0.0, 0.0, 0.01])), np.zeros(3)) @ found[0, 2]
+    gaps = closure(found, 3)
+    assert gaps is not None
+    assert gaps.rotation_rad == pytest.approx([0.01])
+    assert closure({(0, 1): found[0, 1]}, 3) is None

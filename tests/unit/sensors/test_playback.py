@@ -103,20 +103,27 @@ def test_reading_ahead_gives_the_same_in_order() -> None:
 
 
 def test_no_more_is_drawn_ahead_than_asked() -> None:
-    drawn: list[int] = []
+    taken, drawn = [0], [0]
+    farthest = [0]
+    full = threading.Event()
 
     def source() -> Iterator[int]:
         for number in range(100):
-            drawn.append(number)
+            drawn[0] = number + 1
+            farthest[0] = max(farthest[0], drawn[0] - taken[0])
+            if farthest[0] >= 4:
+                full.set()
             yield number
 
     with ReadAhead(source(), 4) as ahead:
         next(ahead)
-        deadline = time.monotonic() + 1.0
-        while len(drawn) < 6 and time.monotonic() < deadline:
-            time.sleep(0.01)
-        time.sleep(0.05)
-        assert len(drawn) <= 7
+        taken[0] += 1
+        assert full.wait(5.0)
+        for _ in ahead:
+            taken[0] += 1
+    # Four wait, one is in the thread's hand and one in ours.
+    assert 4 <= farthest[0] <= 6
+    assert drawn == [100]
 
 
 def test_closing_in_the_middle_ends_the_thread_at_once_and_the_source_with_it() -> None:
