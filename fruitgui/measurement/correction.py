@@ -19,8 +19,9 @@ import numpy as np
 from fruitgui.errors import InputError
 from fruitgui.frame import F64, Bools
 from fruitgui.measurement.fruit import Quantity, Size
+from fruitgui.measurement.shrinkage import between, learned
 
-PRIOR_FRUIT = 4.0
+PRIOR_FRUIT = 8.0
 """The fit's own word counts as much as so many references about how far it errs."""
 
 STUDENT_WIDER = 1.3
@@ -28,9 +29,6 @@ STUDENT_WIDER = 1.3
 
 LEAST_CHANCE = 0.01
 """No beaker and no fit is better than this; references that agree by luck prove nothing."""
-
-KINDS_APART = 0.02
-"""How far shifts of kinds differ where too few kinds have references to tell."""
 
 TYPING_ERROR_SIGMAS = 5.0
 LARGEST_SHIFT = math.log(2.0)
@@ -276,23 +274,13 @@ def _fit(
         weight = 1.0 / (chance * spread) ** 2
         information = np.array([weight[kinds == name].sum() for name in names])
         means = np.array([np.average(log_ratio[kinds == name], weights=weight[kinds == name]) for name in names])
-        apart2, common = _between(means, 1.0 / information)
+        apart2, (middle, middle_std) = between(means, 1.0 / information)
         own = 1.0 / (information + 1.0 / apart2)
-        shifts = own * (information * means + common.value / apart2)
+        shifts = own * (information * means + middle / apart2)
         by_name = dict(zip(names, shifts.tolist(), strict=True))
         left = (log_ratio - np.array([by_name[kind] for kind in kinds.tolist()])) / spread
-        freedom = max(len(left) - len(names), 0)
+        freedom = max(len(left) - learned(information, apart2), 0.0)
         chance = math.sqrt((PRIOR_FRUIT + float(left @ left)) / (PRIOR_FRUIT + freedom))
     chance *= 1.0 + STUDENT_WIDER / (PRIOR_FRUIT + freedom)
     found = {name: Shift(float(s), math.sqrt(v)) for name, s, v in zip(names, shifts, own, strict=True)}
-    return VolumeCorrection(Shift(common.value, math.hypot(common.std, math.sqrt(apart2))), found, chance, densities)
-
-
-def _between(means: F64, variances: F64) -> tuple[float, Shift]:
-    """Return (variance of shifts between kinds, common shift), by moments (DerSimonian & Laird 1986)."""
-    prior = KINDS_APART**2
-    if len(means) > 1:
-        excess = float(np.var(means, ddof=1) - variances.mean())
-        prior = (prior + (len(means) - 1) * max(excess, 0.0)) / len(means)
-    weight = 1.0 / (variances + prior)
-    return max(prior, 1e-8), Shift(float(np.average(means, weights=weight)), float(weight.sum() ** -0.5))
+    return VolumeCorrection(Shift(middle, math.hypot(middle_std, math.sqrt(apart2))), found, chance, densities)

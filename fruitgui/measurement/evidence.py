@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -27,6 +26,9 @@ RIM_INDEPENDENT = 10.0
 
 INDEPENDENT_VIEWS = 40.0
 """What many views have in common (the device's own errors, ragged outlines) does not average out beyond this."""
+
+ENOUGH_CLEAR, AS_CLEAR = 6, 0.9
+"""Views of a sensor that are enough, and what part of their free outline others must show to be used beside them."""
 
 INDEPENDENT_CUTS = 20.0
 """Views in which a neighbour touches or hides the fruit repeat each other sooner: it travels along."""
@@ -129,7 +131,7 @@ class _Place(NamedTuple):
 def gather(track: Track, rig: Rig) -> Evidence | None:
     """Bring the views of a track together over the belt; None where no view has enough points to use."""
     chosen = [s for s in track.sightings if s.view.sensor in rig.mounts and len(s.view.points_m) >= LEAST_POINTS]
-    chosen = _spread(_prefer_whole(chosen), VIEWS_IN_ALL)
+    chosen = _spread(_clearest(chosen), VIEWS_IN_ALL)
     if not chosen:
         return None
     sensors = tuple(sorted({s.view.sensor for s in chosen}))
@@ -167,12 +169,20 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
     )
 
 
-def _prefer_whole(sightings: list[Sighting]) -> list[Sighting]:
-    """Leave out views cut by the picture or hidden by a neighbour while enough whole ones of that sensor remain."""
-    whole = [s for s in sightings if s.view.whole]
-    counts = Counter(s.view.sensor for s in sightings)
-    enough = {name for name, n in Counter(s.view.sensor for s in whole).items() if n >= 6 and 3 * n >= counts[name]}
-    return [s for s in sightings if s.view.whole or s.view.sensor not in enough]
+def _clearest(sightings: list[Sighting]) -> list[Sighting]:
+    """Leave out what a neighbour or the picture's edge spoils, while each sensor keeps enough that is clearer.
+
+    A sensor that saw the fruit whole seldom, because a neighbour stood before it, is still worth its other views.
+    """
+    kept = []
+    for sensor in sorted({s.view.sensor for s in sightings}):
+        mine = [s for s in sightings if s.view.sensor == sensor]
+        whole = [s for s in mine if s.view.whole]
+        mine = whole if len(whole) >= ENOUGH_CLEAR and 3 * len(whole) >= len(mine) else mine
+        free = np.array([s.view.outline_free.mean() for s in mine])
+        enough = np.sort(free)[-min(len(free), ENOUGH_CLEAR)]
+        kept += [s for s, share in zip(mine, free, strict=True) if share >= AS_CLEAR * enough]
+    return sorted(kept, key=lambda s: s.time_s)
 
 
 def _spread(sightings: list[Sighting], most: int) -> list[Sighting]:
