@@ -65,15 +65,16 @@ class CalibrationOutcome:
         if not self.accepted:
             return ["Not calibrated; nothing was written."]
         placed = [f"  {name:<16} {_in_words(quality)}" for name, quality in self.sensors.items()]
-        return [f"Calibrated {len(placed)} sensors.", *placed, f"Station: {path}"]
+        many = "1 sensor" if len(placed) == 1 else f"{len(placed)} sensors"
+        return [f"Calibrated {many}.", *placed, f"Station: {path}"]
 
 
 def _in_words(quality: SensorQuality) -> str:
     position_mm, angle_deg = quality.position_std_m * 1e3, math.degrees(quality.angle_std_rad)
-    return (
-        f"{quality.word}: placed within ±{1.96 * position_mm:.1f} mm and ±{1.96 * angle_deg:.2f}° (95 %), "
-        f"belt flat within {quality.surface_rms_m * 1e3:.1f} mm"
-    )
+    flat = f"belt flat within {quality.surface_rms_m * 1e3:.1f} mm"
+    if position_mm == angle_deg == 0:
+        return f"{quality.word}: the reference, {flat}"
+    return f"{quality.word}: placed within ±{1.96 * position_mm:.1f} mm and ±{1.96 * angle_deg:.2f}° (95 %), {flat}"
 
 
 def quality_value(quality: SensorQuality | PairQuality) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import time
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import cv2
 import numpy as np
 import pytest
 
+from fruitgui.cli import main
 from fruitgui.frame import Frame
 from fruitgui.sensors.recordings import Recording, RecordingWriter, open_recording, recover
 from tests.real_data import real_data
@@ -18,6 +20,8 @@ pytestmark = pytest.mark.real
 
 RECORDINGS = {"apples_rolling.mcap": 37, "two_xtions_chocapics.mcap": 22, "kitchen_poses.mcap": 25}
 STILL_FRAMES = range(6, 22)
+BARE_FRAMES = range(8, 21)
+"""Of those, the ones in which no hand nor bag reaches into the picture."""
 
 
 def say(figure: str) -> None:
@@ -109,3 +113,34 @@ def test_what_is_read_can_be_recorded_again(tmp_path: Path) -> None:
         assert (one.sensor, one.time_s, one.intrinsics) == (other.sensor, other.time_s, other.intrinsics)
         np.testing.assert_array_equal(one.depth_mm, other.depth_mm)
         assert np.abs(one.color.astype(int) - other.color).mean() < 4
+
+
+def test_rolling_apples_are_counted_where_the_table_was_seen_bare(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """No belt, blurred pictures four times a second, laptop and books beside: all of it is a record, apples in size."""
+    source = open_recording(real_data("apples_rolling.mcap"))
+    still, station, report = tmp_path / "still.mcap", tmp_path / "station.json", tmp_path / "report.json"
+    with RecordingWriter(still, source.sensors.values()) as writer:
+        for frame in frames(source):
+            if frame.sequence in BARE_FRAMES:
+                writer.write(frame)
+    assert main(["calibrate", str(still), "--station", str(station)]) == 0
+    assert "1 sensor." in capsys.readouterr().out
+    arguments = ["run", str(real_data("apples_rolling.mcap")), "--station", str(station), "--report", str(report)]
+    assert main(arguments) == 0
+    fruit = json.loads(report.read_text(encoding="utf-8"))["fruit"]
+    poured = [one for one in fruit if one["first_seen_s"] > 1005.5]
+    say("apples_rolling, after the bag: " + ", ".join(f"{one['diameter_mm']:.0f} mm" for one in poured))
+    assert len(fruit) >= 8
+    assert sum(50 < one["diameter_mm"] < 100 for one in poured) >= 3
+    assert all(np.isfinite([one["volume_ml"], one["volume_std_ml"]]).all() for one in fruit)
+
+
+def test_the_whole_recording_of_the_apples_is_refused_for_its_motion(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    station = tmp_path / "station.json"
+    assert main(["calibrate", str(real_data("apples_rolling.mcap")), "--station", str(station), "--json"]) == 3
+    assert [one["code"] for one in json.loads(capsys.readouterr().out)["reasons"]] == ["scene_moved"]
+    assert not station.exists()
