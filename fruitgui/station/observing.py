@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import time
-from collections.abc import Generator, Iterator, Mapping
+from collections.abc import Generator, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from fruitgui.frame import Frame
 from fruitgui.geometry.rig import Rig
-from fruitgui.perception.perceiver import Perceiver
 from fruitgui.perception.view import Observation
 from fruitgui.progress import Cancelled, never_cancelled, stop_if
+from fruitgui.station.crew import Crew, Eye, Task
 from fruitgui.station.matching import match_sensors
 from fruitgui.station.rig_watch import RigWatch
 from fruitgui.station.source import RecordingSource
@@ -67,14 +68,20 @@ class Watching:
         cameras = {name: self._recording.sensors[sensor].intrinsics for sensor, name in self._names()}
         self.rig: Rig = station.rig(cameras)
         self.rig_watch = RigWatch(self.rig)
-        self._perceivers = {
-            sensor: Perceiver(name, cameras[name], self.rig.mounts[name].surface) for sensor, name in self._names()
-        }
+        self._eyes = {sensor: Eye(name, cameras[name], self.rig.mounts[name].surface) for sensor, name in self._names()}
 
-    def seen(self, watch: Stopwatch, cancelled: Cancelled = never_cancelled) -> Generator[Seen, None, None]:
+    def seen(
+        self, watch: Stopwatch, cancelled: Cancelled = never_cancelled, known: Iterable[Seen] = ()
+    ) -> Generator[Seen, None, None]:
         """Yield every frame in order of the reference clock; each call begins at the beginning.
 
-        Frames are decoded ahead by a thread of their own: close the generator, or read to the end, to end it.
+        Frames are decoded ahead by a thread of their own, and perceived with the help of a process: close the
+        generator, or read to the end, to end both.
+
+        Args:
+            watch: times reading and perceiving.
+            cancelled: asked before every frame.
+            known: what was perceived in an earlier call; those frames are not perceived again.
 
         Raises:
             InputError: not one frame can be read.
@@ -82,14 +89,24 @@ class Watching:
         frames = self._recording.frames(
             clock_offsets=self._offsets_s, corrections=self._corrections, ahead=FRAMES_AHEAD
         )
-        try:
-            yield from self._perceived(frames, watch, cancelled)
-        finally:
-            frames.close()
+        by_frame = {(one.recorded_as, one.frame_time_s): one.observation for one in known}
+        with contextlib.closing(frames), Crew(self._eyes) as crew:
+            for task in crew.perceived(self._tasks(frames, watch, cancelled, by_frame)):
+                frame, observation = task.frame, task.observation
+                assert observation is not None  # noqa: S101 - the crew gives it
+                watch.add("perceive", task.took_s)
+                with watch.stage("watch"):
+                    self.rig_watch.see_frame(observation.sensor, frame)
+                yield Seen(frame.sensor, frame.time_s, observation, task.took_s)
 
-    def _perceived(
-        self, frames: Iterator[tuple[float, Frame]], watch: Stopwatch, cancelled: Cancelled
-    ) -> Iterator[Seen]:
+    def _tasks(
+        self,
+        frames: Iterator[tuple[float, Frame]],
+        watch: Stopwatch,
+        cancelled: Cancelled,
+        known: dict[tuple[str, float], Observation],
+    ) -> Iterator[Task]:
+        """Yield the frames of this station's sensors."""
         while True:
             stop_if(cancelled)
             began_s = time.perf_counter()
@@ -97,17 +114,10 @@ class Watching:
                 time_s, frame = next(frames)
             except StopIteration:
                 return
-            read_s = time.perf_counter()
-            watch.add("read", read_s - began_s)
-            perceiver = self._perceivers.get(frame.sensor)
-            if perceiver is None:
-                continue
-            observation = perceiver.observe(replace(frame, sensor=perceiver.sensor), time_s)
-            perceived_s = time.perf_counter() - read_s
-            watch.add("perceive", perceived_s)
-            with watch.stage("watch"):
-                self.rig_watch.see_frame(perceiver.sensor, frame)
-            yield Seen(frame.sensor, frame.time_s, observation, perceived_s)
+            watch.add("read", time.perf_counter() - began_s)
+            if frame.sensor in self._eyes:
+                before = known.pop((frame.sensor, frame.time_s), None)
+                yield Task(time_s, frame, None if before is None else replace(before, time_s=time_s))
 
     def shift_clocks(self, offsets_s: Mapping[str, float]) -> None:
         """Add offsets (by station id) to the clocks in use, from the next reading on."""

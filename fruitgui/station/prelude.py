@@ -64,7 +64,7 @@ def look_ahead(
         return Prelude(watching, _again(held, seen), belt, ())
     seen.close()
     watching.shift_clocks(offsets_s)
-    return Prelude(watching, watching.seen(watch, cancelled), belt, tuple(_told(offsets_s)))
+    return Prelude(watching, watching.seen(watch, cancelled, held), belt, tuple(_told(offsets_s)))
 
 
 def _again(held: list[Seen], seen: Generator[Seen, None, None]) -> Generator[Seen, None, None]:
