@@ -23,6 +23,7 @@ _USUAL_SPREAD = 0.1
 _PRIOR_FRUIT = 3
 """The spread of cube roots of distances, and the fruit it weighs: few held-out fruit may lie together by chance."""
 
+_MAD_TO_DEVIATION = 1.4826
 _STEEPNESS = 1.5
 _VIEW_WEIGHTS = np.geomspace(0.05, 8.0, 23)
 _FRUIT_WEIGHTS = np.concatenate([[0.0], np.geomspace(0.005, 1.0, 22)])
@@ -124,7 +125,8 @@ class Novelty:
 def fit_novelty(own: F64) -> Novelty:
     """Return the threshold that keeps the promised share of trained fruit.
 
-    Nothing widens it: kinds left out of training lie farther off than what is met on belts, and so prove no room.
+    Nothing widens it: kinds left out of training lie farther off than what is met on belts, and so prove no room. Nor
+    does an odd fruit among the trained ones (spoiled, or labelled by mistake): what is far out counts as three spreads.
 
     Args:
         own: (N,) squared distances of held-out fruit to their own kind.
@@ -135,6 +137,8 @@ def fit_novelty(own: F64) -> Novelty:
     if fruit == 0:
         return Novelty(1.0, _USUAL_SPREAD, _UNTESTED)
     roots = np.cbrt(own)
+    middle = float(np.median(roots))
+    roots = np.minimum(roots, middle + 3.0 * _MAD_TO_DEVIATION * float(np.median(np.abs(roots - middle))))
     centre, freedom = float(roots.mean()), fruit - 1 + _PRIOR_FRUIT
     spread = math.sqrt((float(np.sum((roots - centre) ** 2)) + _PRIOR_FRUIT * _USUAL_SPREAD**2) / freedom)
     return Novelty(centre, spread, float(student.ppf(1.0 - _PROMISE, freedom)) * math.sqrt(1.0 + 1.0 / fruit))

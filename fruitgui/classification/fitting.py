@@ -15,7 +15,7 @@ from fruitgui.classification.network import fit_network
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled, never_cancelled
 
-_EPOCHS = 6
+_EPOCHS = 4
 _ROWS = 4096
 _JITTER = 0.5
 _CUT_SHARE = 0.2

@@ -88,15 +88,16 @@ def test_kinds_are_right_in_another_light(judged: Confusion) -> None:
 
 @pytest.mark.accuracy
 def test_strangers_come_out_unknown(judged: Confusion) -> None:
+    # Over twenty simulated days 98 % do; of 34, more than three pass by chance once in 200 lines.
     assert judged.strangers_found.trials >= 30
-    assert judged.strangers_found.value >= 0.85, judged.counts
+    assert judged.strangers_found.value >= 0.9, judged.counts
 
 
 @pytest.mark.accuracy
 def test_strangers_that_look_like_fruit_come_out_unknown(run: _Run) -> None:
-    # Over four simulated days nine in ten do; of 24, fewer than 19 are so by chance once in 36 lines.
+    # Over twenty simulated days 97 % do; of 24, more than three pass by chance once in 180 lines.
     assert run.alike.strangers_found.trials >= 20
-    assert run.alike.strangers_found.value >= 0.79, run.alike.counts
+    assert run.alike.strangers_found.value >= 0.85, run.alike.counts
 
 
 @pytest.mark.accuracy
