@@ -164,11 +164,13 @@ def _near_edge(rays: F64, nearest_mm: U16, farthest_mm: U16, turn: F64, edges: F
 
     How far inside a point is, is concave along a ray: least at either end of what is looked at.
     """
-    flat = np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=2).reshape(-1, 3)
-    near = np.zeros(len(flat), dtype=bool)
-    for end_mm in (nearest_mm, farthest_mm):
-        near |= _inside_m(flat * (1e-3 * end_mm.reshape(-1, 1)), turn, edges) < edge_m
-    return near
+    near = np.zeros(rays.shape[:2], dtype=bool)
+    for edge in edges:
+        normal = edge[:2] @ turn[:2] * 1e-3
+        rate_m = rays @ normal[:2] + normal[2]
+        least_m = edge_m - edge[2]
+        near |= (rate_m * nearest_mm < least_m) | (rate_m * farthest_mm < least_m)
+    return near.reshape(-1)
 
 
 def half_of(rows: int, columns: int) -> tuple[int, int]:
