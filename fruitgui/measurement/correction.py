@@ -11,18 +11,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from fruitgui.errors import InputError
 from fruitgui.frame import F64, Bools
+from fruitgui.measurement.edges import learn_fattening, volume_by_edges
 from fruitgui.measurement.fruit import Quantity, Size
 from fruitgui.measurement.shrinkage import between, learned
 
-PRIOR_FRUIT = 8.0
+PRIOR_FRUIT = 6.0
 """The fit's own word counts as much as so many references about how far it errs."""
+
+PRIOR_CHANCE = 0.75
+"""Once edges are known, what is left is mostly what nobody saw; about half of it a kind's fruit share as its shift."""
 
 STUDENT_WIDER = 1.3
 """Of n fruit, Student's 95 % interval is 1 + 1.3 / n times wider than the normal one (within 2 % from n = 5)."""
@@ -76,18 +80,21 @@ class VolumeCorrection:
         kinds: for kinds with references.
         chance: factor on the relative standard deviation that the fit gives.
         densities: of kinds where known.
+        fattening_px: how far each sensor fattens edges, by its id.
     """
 
     common: Shift = Shift()
     kinds: Mapping[str, Shift] = field(default_factory=dict)
     chance: float = 1.0
     densities: Mapping[str, Density] = field(default_factory=dict)
+    fattening_px: Mapping[str, Quantity] = field(default_factory=dict)
 
     def volume(self, kind: str, size: Size) -> Quantity:
         """Return the corrected volume, m³, with its honest standard deviation."""
         shift = self.kinds.get(kind, self.common)
-        corrected_m3 = size.volume_m3.value * math.exp(shift.value)
-        relative = math.hypot(self.chance * size.volume_m3.std / max(size.volume_m3.value, 1e-12), shift.std)
+        fitted_m3 = volume_by_edges(size, self.fattening_px)
+        corrected_m3 = fitted_m3.value * math.exp(shift.value)
+        relative = math.hypot(self.chance * fitted_m3.std / max(fitted_m3.value, 1e-12), shift.std)
         return Quantity(corrected_m3, corrected_m3 * relative)
 
     def mass(self, kind: str, volume_m3: Quantity) -> Quantity | None:
@@ -118,6 +125,10 @@ class VolumeCorrection:
                 {
                     str(kind): Density(_number(one["value"], 1.0, 1e5), _number(one["std"], 0.0, 1e5))
                     for kind, one in _mapping(value["densities"]).items()
+                },
+                {
+                    str(sensor): Quantity(_number(one["value"], -10.0, 10.0), _number(one["std"], 1e-3, 10.0))
+                    for sensor, one in _mapping(value.get("fattening_px", {})).items()
                 },
             )
         except (KeyError, TypeError, ValueError) as error:
@@ -212,10 +223,13 @@ def fit_correction(references: Iterable[Reference]) -> CorrectionFit:
     if not known:
         return CorrectionFit(VolumeCorrection(densities=densities), ())
     kinds = np.array([one.kind for one, _ in known])
-    log_ratio = np.array([math.log(volume / one.size.volume_m3.value) for one, volume in known])
-    spread = np.array([max(one.size.volume_m3.std / one.size.volume_m3.value, LEAST_CHANCE) for one, _ in known])
+    fattening_px = learn_fattening([one.size for one in given])
+    fitted = [volume_by_edges(one.size, fattening_px) for one, _ in known]
+    log_ratio = np.array([math.log(true / one.value) for (_, true), one in zip(known, fitted, strict=True)])
+    spread = np.array([max(one.std / one.value, LEAST_CHANCE) for one in fitted])
     used = _plausible(kinds, log_ratio, spread)
-    correction = _fit(kinds[used], log_ratio[used], spread[used], densities)
+    shifts = _fit(kinds[used], log_ratio[used], spread[used], PRIOR_CHANCE if fattening_px else 1.0)
+    correction = replace(shifts, densities=densities, fattening_px=fattening_px)
     residuals = [
         Residual(
             one.kind,
@@ -263,13 +277,11 @@ def _middle(own: F64, everyone: F64) -> float:
     return float(np.median(own if len(own) >= 3 else everyone))
 
 
-def _fit(
-    kinds: np.ndarray[Any, Any], log_ratio: F64, spread: F64, densities: Mapping[str, Density]
-) -> VolumeCorrection:
+def _fit(kinds: np.ndarray[Any, Any], log_ratio: F64, spread: F64, usual: float) -> VolumeCorrection:
     if not len(log_ratio):
-        return VolumeCorrection(densities=densities)
+        return VolumeCorrection()
     names = sorted(set(kinds.tolist()))
-    chance = 1.0
+    chance = usual
     for _ in range(5):
         weight = 1.0 / (chance * spread) ** 2
         information = np.array([weight[kinds == name].sum() for name in names])
@@ -280,7 +292,7 @@ def _fit(
         by_name = dict(zip(names, shifts.tolist(), strict=True))
         left = (log_ratio - np.array([by_name[kind] for kind in kinds.tolist()])) / spread
         freedom = max(len(left) - learned(information, apart2), 0.0)
-        chance = math.sqrt((PRIOR_FRUIT + float(left @ left)) / (PRIOR_FRUIT + freedom))
+        chance = math.sqrt((PRIOR_FRUIT * usual**2 + float(left @ left)) / (PRIOR_FRUIT + freedom))
     chance *= 1.0 + STUDENT_WIDER / (PRIOR_FRUIT + freedom)
     found = {name: Shift(float(s), math.sqrt(v)) for name, s, v in zip(names, shifts, own, strict=True)}
-    return VolumeCorrection(Shift(middle, math.hypot(middle_std, math.sqrt(apart2))), found, chance, densities)
+    return VolumeCorrection(Shift(middle, math.hypot(middle_std, math.sqrt(apart2))), found, chance)

@@ -140,8 +140,8 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
     sensor = np.array([sensors.index(s.view.sensor) for s in chosen])
     points = int(np.clip(POINTS_IN_ALL // len(chosen), *POINTS_PER_VIEW))
     rim = int(np.clip(RIM_IN_ALL // len(chosen), *RIM_PER_VIEW))
-    cameras = [p.mount.intrinsics for p in places]
-    samples, used = take_samples([s.view for s in chosen], [cameras[k] for k in sensor], points, rim)
+    views = [s.view for s in chosen]
+    samples, used = take_samples(views, sensor, [p.mount.intrinsics for p in places], points, rim)
     z = samples[..., 2]
     rotation = np.stack([p.pose.rotation for p in places])
     place = np.stack([p.pose.translation_m for p in places])[sensor]

@@ -48,6 +48,7 @@ class Fit:
     Attributes:
         state: the unknowns.
         covariance: (6 + K, 6 + K) of the stretch and the harmonics' weights, scaled by the residuals.
+        edge_covariance: (S, 6 + K + S) of each sensor's mean fattening, pixels, with those and with each other.
         chi2: (V,) mean square of each view's normalised residuals: one where the noise is as the physics says.
         view_weight: (V,) how much each view counted, 0–1.
         sight: (V, 3) unit vectors from the sensor to the fruit, as it lies, of the views that counted.
@@ -55,6 +56,7 @@ class Fit:
 
     state: State
     covariance: F64
+    edge_covariance: F64
     chi2: F64
     view_weight: F64
     sight: F64
@@ -82,8 +84,14 @@ def improve(state: State, evidence: Evidence, prior: Prior, steps: int) -> Fit:
     usual = max(LEAST_CHI2, float(np.average(seen.chi2, weights=seen.view_weight + 1e-9)))
     sight = np.matmul(state.turn, evidence.sight[:, : evidence.points].mean(axis=1)[..., None])[..., 0]
     counted = seen.view_weight > LEAST_VIEW_WEIGHT
-    covariance = np.asarray(np.linalg.inv(system.H), dtype=np.float64)[:count, :count] * usual
-    return Fit(state, covariance, seen.chi2, seen.view_weight, sight[counted])
+    covariance = np.asarray(np.linalg.inv(system.H), dtype=np.float64) * usual
+    sensors = np.arange(len(evidence.sensors))
+    means = np.zeros((len(sensors), len(covariance)))
+    for axis in (3, 4):
+        means[sensors, count + 3 + PER_SENSOR * sensors + axis] = 0.5
+    with_edges = means @ covariance
+    edge_covariance = np.hstack([with_edges[:, :count], with_edges @ means.T])
+    return Fit(state, covariance[:count, :count], edge_covariance, seen.chi2, seen.view_weight, sight[counted])
 
 
 def _moved(state: State, unknowns: F64, seen: Residuals, system: _System) -> State:

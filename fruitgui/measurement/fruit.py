@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from fruitgui.frame import F64
+
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
@@ -11,6 +13,23 @@ class Quantity:
 
     value: float
     std: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Edges:
+    """How far a fit found each sensor to fatten edges, which it can hardly tell from the fruit's own size.
+
+    Attributes:
+        sensors: S ids.
+        fattening_px: (S,) as found on this fruit.
+        covariance_px2: (S, S) of it.
+        with_volume_px: (S,) its covariance with the logarithm of the volume.
+    """
+
+    sensors: tuple[str, ...]
+    fattening_px: F64
+    covariance_px2: F64
+    with_volume_px: F64
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +42,7 @@ class Size:
         diameter_m: the largest calliper distance at right angles to the length.
         perimeter_m: of the outline projected along the belt's normal.
         coverage: share of the fitted surface (0–1) that was seen.
+        edges: what the volume owes to fattened edges; None where no surface was fitted.
     """
 
     volume_m3: Quantity
@@ -30,3 +50,4 @@ class Size:
     diameter_m: Quantity
     perimeter_m: Quantity
     coverage: float
+    edges: Edges | None = None

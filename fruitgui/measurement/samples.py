@@ -23,24 +23,30 @@ CLEAR_PLACES = 4
 LEAST_POINTS = 8
 
 
-def take_samples(views: Sequence[FruitView], cameras: Sequence[Intrinsics], count: int, rim: int) -> tuple[F64, Bools]:
+def take_samples(
+    views: Sequence[FruitView], sensor: Ints, cameras: Sequence[Intrinsics], count: int, rim: int
+) -> tuple[F64, Bools]:
     """Return (V, count + rim, 3) samples in their sensors' optical frames, and which are used.
 
     `count` points away from the edge of each view, then `rim` on the sights
-    along its outline, as far as that is the fruit's own.
+    along its outline, as far as that is the fruit's own. `sensor` (V,) tells the cameras.
     """
     samples = np.empty((len(views), count + rim, 3))
     used = np.zeros(samples.shape[:2], dtype=bool)
-    for view, camera, sample, use in zip(views, cameras, samples, used, strict=True):
+    outline = np.zeros((len(views), rim, 2), dtype=np.float32)
+    for view, camera, sample, use, around in zip(views, sensor.tolist(), samples, used, outline, strict=True):
         free = own_places(view)
-        index = _inner(view, count, free, camera)
+        index = _inner(view, count, free, cameras[camera])
         sample[: len(index)] = view.points_m[index]
         sample[len(index) :] = view.centre_m
         use[: len(index)] = True
-        if len(view.outline_px) >= 2 * rim:
-            around = evenly(len(view.outline_px), rim)
-            sample[count:, :2] = sights(view.outline_px[around], camera) * view.centre_m[2]
-            use[count:] = free[around]
+        if len(free) >= 2 * rim:
+            chosen = evenly(len(free), rim)
+            around[:] = view.outline_px[chosen]
+            use[count:] = free[chosen]
+    for number, camera in enumerate(cameras):
+        mine = sensor == number
+        samples[mine, count:, :2] = sights(outline[mine], camera) * samples[mine, count:, 2:]
     return samples, used
 
 

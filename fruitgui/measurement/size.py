@@ -11,7 +11,7 @@ from fruitgui.geometry.rig import Rig
 from fruitgui.measurement.callipers import Extent, length_and_diameter, perimeter, volume
 from fruitgui.measurement.evidence import Evidence, gather
 from fruitgui.measurement.fit import Fit, improve
-from fruitgui.measurement.fruit import Quantity, Size
+from fruitgui.measurement.fruit import Edges, Quantity, Size
 from fruitgui.measurement.harmonics import basis
 from fruitgui.measurement.path import carried
 from fruitgui.measurement.prior import FATTENING_PX, shape_prior
@@ -57,7 +57,7 @@ def measure(track: Track, rig: Rig) -> Size:
     fit = None if evidence is None else _sound_fit(evidence, track, rig)
     if evidence is None or fit is None:
         return rough_size(track, rig)
-    size = size_of(fit)
+    size = size_of(fit, evidence.sensors)
     if size.length_m.value > LONG_FOR_FRUIT_M:
         rough = rough_size(track, rig)
         if size.length_m.value > OVERSHOOT * rough.length_m.value:
@@ -139,16 +139,25 @@ def _upon_axes(state: State, degree: int) -> State:
     return replace(state, body=body, shape=Shape(np.diag(np.sqrt(values[order])) @ body.T, weights, degree))
 
 
-def size_of(fit: Fit) -> Size:
-    """Return the sizes of a fitted surface, each with its standard deviation."""
+def size_of(fit: Fit, sensors: tuple[str, ...]) -> Size:
+    """Return the sizes of a surface fitted to these sensors' views, each with its standard deviation."""
     surface = fit.state.shape.surface()
     length, diameter = length_and_diameter(surface)
+    content = volume(surface)
+    count = len(content.gradient)
+    edges = Edges(
+        sensors,
+        fit.state.edge_px.mean(axis=1),
+        fit.edge_covariance[:, count:],
+        fit.edge_covariance[:, :count] @ content.gradient / content.value,
+    )
     return Size(
-        volume_m3=_quantity(volume(surface), fit),
+        volume_m3=_quantity(content, fit),
         length_m=_quantity(length, fit),
         diameter_m=_quantity(diameter, fit),
         perimeter_m=_quantity(perimeter(surface), fit),
         coverage=_coverage(fit, surface),
+        edges=edges,
     )
 
 

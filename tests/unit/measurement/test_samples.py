@@ -40,7 +40,7 @@ def with_views(track: Track, views: list[FruitView]) -> Track:
 
 def test_cut_places_and_points_beside_them_are_not_used() -> None:
     view = touched(track_of(SOLID)[0].sightings[20].view, 0.02, 0.003)
-    samples, used = take_samples([view], [CAMERA], 60, 20)
+    samples, used = take_samples([view], np.zeros(1, np.intp), [CAMERA], 60, 20)
     cut_px = view.outline_px[~view.outline_free]
     assert 0 < used[0, 60:].sum() < 20
     for chosen, least_px in ((samples[0, :60][used[0, :60]], CUT_PX), (samples[0, 60:][used[0, 60:]], 1.0)):

@@ -19,7 +19,7 @@ def test_what_is_learned_is_the_trace_of_what_maps_references_to_their_fitted_va
     def shrunken(means: np.ndarray) -> np.ndarray:
         weight = 1.0 / (variances + apart2)
         middle = np.average(means, weights=weight)
-        return (means / variances + middle / apart2) / (1.0 / variances + 1.0 / apart2)
+        return np.asarray((means / variances + middle / apart2) / (1.0 / variances + 1.0 / apart2))
 
     trace = sum(shrunken(unit)[k] for k, unit in enumerate(np.eye(3)))
     assert learned(1.0 / variances, apart2) == pytest.approx(trace)
