@@ -12,9 +12,9 @@ from fruitgui.classification.evidence import UNKNOWN, KindVote
 from fruitgui.classification.network import log_softmax
 from fruitgui.frame import F64, Ints
 
-_PROMISE = 0.001
-"""Share of trained fruit that the threshold may reject by the distribution of their held-out distances: a tenth of the
-one in a hundred that may come out unknown, as tails are heavier than a dozen fruit of a kind show."""
+_PROMISE = 0.0005
+"""Share of trained fruit that the threshold may reject by the distribution of their held-out distances: a twentieth of
+the one in a hundred that may come out unknown, as tails are heavier than a dozen fruit of a kind show."""
 
 _UNTESTED = 6.0
 """The threshold where no fruit could be held out."""
