@@ -27,10 +27,11 @@ from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress,
 
 LEAST_MOVED_PX = 60
 ENOUGH_LINKS = 2
-"""With so many pairs found without a guess, one wrong among them shows as a contradiction."""
+"""With so many pairs found without a guess, one wrong among them shows as a contradiction; one that the belt's texture
+bears out is as good."""
 
-WORST_POSITION_STD_M = 0.0016
-WORST_ANGLE_STD_RAD = float(np.radians(0.085))
+WORST_POSITION_STD_M = 0.0012
+WORST_ANGLE_STD_RAD = float(np.radians(0.075))
 
 
 def calibrate(
@@ -115,22 +116,28 @@ def _moved(averaged: Mapping[str, Still], belts: Mapping[str, Belt]) -> list[Rea
 
 
 def _registered(ready: Mapping[str, Ready], progress: Progress, cancelled: Cancelled) -> list[Registration]:
-    """Register pairs, with no guess until every sensor has enough of them, then from where the others place it."""
+    """Register pairs, with no guess until every sensor has enough of them, then from where the others place it.
+
+    Two sensors that each hang on two pairs borne out by texture have nothing to gain from a third; whether they
+    agree is judged with the rig as a whole.
+    """
     pairs = list(combinations(ready, 2))
     tried: list[Registration] = []
     edges: list[Edge] = []
     for i, (target, source) in enumerate(pairs):
         stop_if(cancelled)
+        if min(_links(edges, target), _links(edges, source)) >= 2 * ENOUGH_LINKS and source in _together(edges, target):
+            continue
         progress(0.4 + 0.5 * i / len(pairs), f"Matching {source} to {target}")
         tried.append(register(ready[source], ready[target], _expected(edges, target, source)))
-        edges += [edge for edge in [_edge(tried[-1])] if edge is not None]
+        edge = _edge(tried[-1])
+        edges += [] if edge is None else [edge]
     return tried
 
 
 def _expected(edges: Sequence[Edge], target: str, source: str) -> Shift | None:
     """Return the shift that pairs found so far tell of two sensors, once both hang on enough of those."""
-    links = [sum(sensor in (edge.source, edge.target) for edge in edges) for sensor in (target, source)]
-    if min(links) < ENOUGH_LINKS:
+    if min(_links(edges, target), _links(edges, source)) < ENOUGH_LINKS:
         return None
     together = _together(edges, target)
     if source not in together:
@@ -138,6 +145,10 @@ def _expected(edges: Sequence[Edge], target: str, source: str) -> Shift | None:
     near = [edge for edge in edges if edge.source in together]
     solution = graph.solve(target, near)
     return solution.places[source] if solution.contradiction <= graph.LOOP_BOUND else None
+
+
+def _links(edges: Sequence[Edge], sensor: str) -> int:
+    return sum(ENOUGH_LINKS if edge.textured else 1 for edge in edges if sensor in (edge.source, edge.target))
 
 
 def _together(edges: Sequence[Edge], sensor: str) -> tuple[str, ...]:
@@ -149,7 +160,7 @@ def _edge(pair: Registration) -> Edge | None:
     if pair.best is None or pair.covariance is None:
         return None
     weight = pair.best.evidence.log_likelihood
-    return Edge(pair.source, pair.target, pair.best.shift, pair.covariance, weight)
+    return Edge(pair.source, pair.target, pair.best.shift, pair.covariance, weight, pair.best.textured)
 
 
 def _unlinked(linked: list[tuple[str, ...]], tried: Sequence[Registration]) -> list[Reason]:

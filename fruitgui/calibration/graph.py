@@ -29,6 +29,7 @@ class Edge:
     Attributes:
         covariance: (3, 3) of (x, y, θ) about the target belt frame's origin.
         weight: evidence behind it, to tell which of two contradicting edges to trust.
+        textured: whether the belt's texture bears it out.
     """
 
     source: str
@@ -36,6 +37,7 @@ class Edge:
     shift: Shift
     covariance: F64
     weight: float
+    textured: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)

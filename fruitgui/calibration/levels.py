@@ -2,8 +2,8 @@
 
 Structured light counts disparity in steps, so its inverse depths are equally spaced, 1/z = base + k · step
 (Khoshelham & Elberink 2012, eq. 3). The driver rounds depth to millimetres. Where a step is nearly a whole number of
-millimetres (6 mm at 1.45 m) ten steps in a row are rounded the same way, by up to half a millimetre: over a belt that
-tilts it by 0.05°, and no number of captures averages that out. Where the steps show in what was read, they tell what
+millimetres (6 mm at 1.45 m) ten steps in a row are rounded the same way, by up to half a millimetre, which tilts a
+belt, and no number of captures averages that out. Where the steps show in what was read, they tell what
 it was rounded from.
 """
 

@@ -116,7 +116,7 @@ def _ranked(source: Ready, target: Ready, expected: Shift | None = None) -> list
     refined = [
         (hypothesis, start)
         for found, start in close
-        for hypothesis, _ in _tried(source, target, [found.shift], source.relief, fine.SCHEDULE_M)
+        for hypothesis, _ in _tried(source, target, [found.shift], source.relief, fine.SCHEDULE_M[4:])
     ]
     return _different(source.relief, refined)
 

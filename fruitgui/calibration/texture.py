@@ -15,7 +15,7 @@ import numpy as np
 
 from fruitgui.calibration.flat import Shift
 from fruitgui.calibration.relief import Relief
-from fruitgui.frame import F32, F64, Bools
+from fruitgui.frame import F32, F64, Bools, Ints
 
 BROAD_M = 0.012
 """Shades broader than this (standard deviation of a Gaussian) are light and gloss, which move with the eye."""
@@ -208,7 +208,7 @@ def _centre_m(theirs: Plan, grid: Grid) -> F64:
 
 
 def _refined(mine: Plan, theirs: Plan, grid: Grid, start: F64) -> tuple[F64, F64] | None:
-    """Return the step at which squares of differences are least (Gauss–Newton), from a move (2,), and its covariance.
+    """Return the step at which both are most alike (Newton), from a move (2,), and its covariance.
 
     None where it leaves what was searched: then nothing holds it.
     """
@@ -220,16 +220,15 @@ def _refined(mine: Plan, theirs: Plan, grid: Grid, start: F64) -> tuple[F64, F64
         both = cv2.erode(((moved.known > 0.99) & (theirs.known > 0)).astype(np.uint8), rim) > 0
         if _too_small(both.astype(np.float32), grid):
             return None
-        jacobian, residual = _linearised(moved, theirs, both, grid, centre)
-        H = jacobian.T @ jacobian
-        change = -np.linalg.solve(H + 1e-6 * np.diag(np.diag(H)), jacobian.T @ residual)
+        pulls, H = _pulls(moved, theirs, both, grid, centre)
+        change = -np.linalg.solve(H + 1e-6 * np.diag(np.abs(np.diag(H))), pulls.sum(axis=0))
         step = step + change
         if np.hypot(*step[:2]) > REACH_M or abs(step[2]) > WIDEST_TURN_RAD:
             return None
         if np.abs(change).max() < SMALL:
             break
     v, u = np.nonzero(both)
-    return step, _covariance(jacobian, residual, grid.cell_m * np.stack([u, v], axis=1).astype(np.float64))
+    return step, _covariance(pulls, H, grid.cell_m * np.stack([u, v], axis=1).astype(np.float64))
 
 
 def _moved(plan: Plan, grid: Grid, centre_m: F64, step: F64) -> Plan:
@@ -243,21 +242,32 @@ def _moved(plan: Plan, grid: Grid, centre_m: F64, step: F64) -> Plan:
     return Plan(*(cv2.warpAffine(layer, matrix, size, flags=flags) for layer in (plan.contrast, plan.known)))
 
 
-def _linearised(mine: Plan, theirs: Plan, both: Bools, grid: Grid, centre_m: F64) -> tuple[F64, F64]:
-    """Return the Jacobian (N, 3) of mine − theirs by a step that moves mine, and mine − theirs (N,), gains matched."""
-    a = mine.contrast / mine.contrast[both].std()
-    b = theirs.contrast / theirs.contrast[both].std()
-    gy, gx = np.gradient((a + b) / 2, grid.cell_m)
+def _pulls(mine: Plan, theirs: Plan, both: Bools, grid: Grid, centre_m: F64) -> tuple[F64, F64]:
+    """Return each cell's pull (N, 3) on a step that moves mine, and how pulls grow with the step (3, 3).
+
+    What is made least is minus the product of both pictures. Its slopes hold products across pictures only, so that
+    the noise of one never passes for texture, as it would in squares of differences.
+    """
+    a, b = (plan.contrast / plan.contrast[both].std() for plan in (mine, theirs))
     v, u = np.nonzero(both)
-    gx, gy = gx[v, u].astype(np.float64), gy[v, u].astype(np.float64)
+    slope_a, slope_b = (_slopes(layer, u, v, grid, centre_m) for layer in (a, b))
+    pulls = (slope_b * a[v, u][:, None] - slope_a * b[v, u][:, None]) / 2
+    H = slope_a.T @ slope_b
+    return pulls, (H + H.T) / 2
+
+
+def _slopes(layer: F32, u: Ints, v: Ints, grid: Grid, centre_m: F64) -> F64:
+    """Return how a layer changes at cells when it makes a step, (N, 3)."""
+    gx = cv2.Sobel(layer, cv2.CV_64F, 1, 0, ksize=1, scale=0.5 / grid.cell_m)[v, u]
+    gy = cv2.Sobel(layer, cv2.CV_64F, 0, 1, ksize=1, scale=0.5 / grid.cell_m)[v, u]
     x, y = (grid.low_m[k] + grid.cell_m * at - centre_m[k] for k, at in enumerate((u, v)))
-    return -np.stack([gx, gy, gy * x - gx * y], axis=1), (a - b)[v, u].astype(np.float64)
+    return -np.stack([gx, gy, gy * x - gx * y], axis=1)
 
 
-def _covariance(jacobian: F64, residual: F64, places_m: F64) -> F64:
+def _covariance(pulls: F64, H: F64, places_m: F64) -> F64:
     """Return the (3, 3) covariance with whole tiles as independent witnesses."""
     _, tile = np.unique(np.floor(places_m / TILE_M) @ [1, 10_000], return_inverse=True)
     count = int(tile.max()) + 1
-    pulls = np.stack([np.bincount(tile, jacobian[:, k] * residual, count) for k in range(3)], axis=1)
-    inverse = np.linalg.pinv(jacobian.T @ jacobian)
-    return np.asarray(inverse @ (pulls.T @ pulls) @ inverse * count / max(count - 3, 1))
+    sums = np.stack([np.bincount(tile, pulls[:, k], count) for k in range(3)], axis=1)
+    inverse = np.linalg.pinv(H)
+    return np.asarray(inverse @ (sums.T @ sums) @ inverse * count / max(count - 3, 1))
