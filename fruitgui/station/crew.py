@@ -109,9 +109,16 @@ class Crew:
                 self._perceive(task)
                 done_here += 1
             if done_here == self._alone and self._helper is None and self._cores > 1:
-                self._helper = Helper(self._eyes)
+                self._call()
             yield from self._done(waiting, WAITING)
         yield from self._done(waiting, 0)
+
+    def _call(self) -> None:
+        """Call the helper; where there is no memory to share, or no process to be had, all goes on without."""
+        try:
+            self._helper = Helper(self._eyes)
+        except OSError:
+            self._cores = 1
 
     def _done(self, waiting: deque[Task], most: int) -> Iterator[Task]:
         """Yield what is done, and wait for the helper while more than `most` are not."""
@@ -147,7 +154,11 @@ class Helper:
         self._process = context.Process(
             target=help_perceiving, args=(dict(eyes), theirs, self._memory.name, self._room), daemon=True
         )
-        self._process.start()
+        try:
+            self._process.start()
+        except OSError:
+            self._give_back()
+            raise
         theirs.close()
 
     def take(self, task: Task) -> bool:
@@ -199,16 +210,14 @@ class Helper:
             self._handed.clear()
         return done, left
 
-    @property
-    def process_id(self) -> int | None:
-        """The process's number."""
-        return self._process.pid
-
     def close(self) -> None:
         """End the process; nothing of it stays."""
         self._pipe.close()
         self._process.terminate()
         self._process.join(LEAVE_S)
+        self._give_back()
+
+    def _give_back(self) -> None:
         self._memory.close()
         self._memory.unlink()
 

@@ -14,6 +14,7 @@ import numpy as np
 import psutil
 import pytest
 
+from fruitgui.station import crew as crew_module
 from fruitgui.station.crew import Crew, Eye, Task
 from tests.unit.perception.spheres import Table, row_of_balls
 
@@ -87,6 +88,15 @@ def test_one_core_has_no_helper() -> None:
     with Crew(eyes(), cores=1, alone=1) as crew:
         assert all(task.observation is not None for task in crew.perceived(list(tasks_of(4))))
         assert crew.helped == 0
+
+
+def test_where_no_helper_is_to_be_had_all_is_perceived_here(monkeypatch: pytest.MonkeyPatch) -> None:
+    def none_to_be_had(_eyes: object) -> None:
+        raise OSError(28, "no space left")
+
+    monkeypatch.setattr(crew_module, "Helper", none_to_be_had)
+    with Crew(eyes(), cores=2, alone=1) as crew:
+        assert all(task.observation is not None for task in crew.perceived(list(tasks_of(4))))
 
 
 FOREVER = """
