@@ -94,7 +94,9 @@ class VolumeCorrection:
         shift = self.kinds.get(kind, self.common)
         fitted_m3 = volume_by_edges(size, self.fattening_px)
         corrected_m3 = fitted_m3.value * math.exp(shift.value)
-        relative = math.hypot(self.chance * fitted_m3.std / max(fitted_m3.value, 1e-12), shift.std)
+        # References mostly lie alone: of what neighbours spoil they teach nothing good.
+        chance = math.sqrt(self.chance**2 + size.spoilt * max(PRIOR_CHANCE**2 - self.chance**2, 0.0))
+        relative = math.hypot(chance * fitted_m3.std / max(fitted_m3.value, 1e-12), shift.std)
         return Quantity(corrected_m3, corrected_m3 * relative)
 
     def mass(self, kind: str, volume_m3: Quantity) -> Quantity | None:

@@ -69,6 +69,7 @@ class Evidence:
         offset_sigma_m: (S,) standard deviation of a sensor's common shift against the others, along the belt.
         centre_m: (V, 3) first guess of the fruit's centre in each view.
         height_m: first guess of the fruit's height.
+        spoilt: (V,) whether a neighbour or the picture's edge spoils the view.
     """
 
     samples_m: F64
@@ -87,6 +88,7 @@ class Evidence:
     offset_sigma_m: F64
     centre_m: F64
     height_m: float
+    spoilt: Bools
 
     def views_of(self, track: Track) -> list[FruitView]:
         """Return the views (V,) of the track from which this was gathered."""
@@ -112,6 +114,7 @@ class Evidence:
             self.offset_sigma_m,
             self.centre_m,
             self.height_m,
+            self.spoilt,
         )
 
 
@@ -149,6 +152,7 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
     focal = np.array([p.mount.intrinsics.fx for p in places])[sensor]
     area_px = np.array([s.view.area_px for s in chosen])
     times = np.array([s.time_s for s in chosen])
+    spoilt = np.array([s.view.shared or not s.view.whole for s in chosen])
     return Evidence(
         samples_m=directions + place[:, None, :],
         used=used,
@@ -156,7 +160,7 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
         sight=directions / np.linalg.norm(directions, axis=2, keepdims=True),
         depth_sigma_m=z**2 * np.hypot(SIGMA_PER_Z2, STEP_PER_Z2 / np.sqrt(12.0)),
         pixel_m=z / focal[:, None],
-        share=_share(used, points, area_px, np.array([s.view.shared or not s.view.whole for s in chosen])),
+        share=_share(used, points, area_px, spoilt),
         time_s=times - 0.5 * (times.min() + times.max()),
         sensor=sensor,
         sensors=sensors,
@@ -166,6 +170,7 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
         offset_sigma_m=np.array([p.offset_sigma_m for p in places]),
         centre_m=np.matmul(rotation[sensor], np.stack([s.view.centre_m for s in chosen])[..., None])[..., 0] + place,
         height_m=float(np.median([s.view.height_m for s in chosen])),
+        spoilt=spoilt,
     )
 
 

@@ -43,6 +43,7 @@ class Size:
         perimeter_m: of the outline projected along the belt's normal.
         coverage: share of the fitted surface (0–1) that was seen.
         edges: what the volume owes to fattened edges; None where no surface was fitted.
+        spoilt: share of the views used (0–1) that a neighbour or the picture's edge spoils.
     """
 
     volume_m3: Quantity
@@ -51,3 +52,4 @@ class Size:
     perimeter_m: Quantity
     coverage: float
     edges: Edges | None = None
+    spoilt: float = 0.0

@@ -57,7 +57,7 @@ def measure(track: Track, rig: Rig) -> Size:
     fit = None if evidence is None else _sound_fit(evidence, track, rig)
     if evidence is None or fit is None:
         return rough_size(track, rig)
-    size = size_of(fit, evidence.sensors)
+    size = replace(size_of(fit, evidence.sensors), spoilt=float(evidence.spoilt.mean()))
     if size.length_m.value > LONG_FOR_FRUIT_M:
         rough = rough_size(track, rig)
         if size.length_m.value > OVERSHOOT * rough.length_m.value:

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -67,6 +69,16 @@ def test_references_teach_edges_and_the_model_file_keeps_them() -> None:
     assert again.volume("apple", one) == learned.volume("apple", one)
     old = {key: value for key, value in learned.to_dict().items() if key != "fattening_px"}
     assert VolumeCorrection.from_dict(old).fattening_px == {}
+
+
+def test_what_lone_references_teach_does_not_narrow_the_interval_of_a_fruit_that_neighbours_spoil() -> None:
+    rng = np.random.default_rng(4)
+    sure = [replace(size_of(rng), volume_m3=Quantity(TRUE_M3, 0.04 * TRUE_M3)) for _ in range(20)]
+    learned = fit_correction([Reference("apple", one, TRUE_M3, None) for one in sure]).correction
+    stds = [learned.volume("apple", replace(sure[0], spoilt=share)).std for share in (0.0, 0.5, 1.0)]
+    assert stds[0] < stds[1] < stds[2]
+    loose = replace(learned, chance=2.0)
+    assert loose.volume("apple", replace(sure[0], spoilt=1.0)).std == loose.volume("apple", sure[0]).std
 
 
 def test_a_fit_states_that_fat_edges_and_small_fruit_look_alike() -> None:
