@@ -18,7 +18,7 @@ sensor; this estimate is the same from opposed sides.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -74,7 +74,8 @@ def find_heights(pixels: Pixels) -> Heights:
     """Return the heights of all fruit."""
     valid = pixels.valid > 0
     inner = valid & (pixels.edge_px > 1.5)
-    rows = [Binned(pixels.height_m, 0.0, HIGHEST_M, counted) for counted in (inner, valid)]
+    bins = Binned.of(pixels.height_m, 0.0, HIGHEST_M)
+    rows = [replace(bins, counted=counted) for counted in (inner, valid)]
     high, spread = pixels.runs.quantiles(rows, (0.2, 0.5, 0.8, TOP_PART))
     return Heights(np.maximum(high[:, 3] * (1.0 + 0.25 * (1.0 - TOP_PART)), 1e-3), spread[:, :3])
 
@@ -140,5 +141,5 @@ def _about_ray(points: F64, along: F64, across: F64) -> F64:
     """Return covariances (N, 3, 3) with variance `along` the line of sight and `across` at right angles to it."""
     square = np.maximum((points * points).sum(axis=1), 1e-18)
     covariance = points[:, :, None] * (points * ((along - across) / square)[:, None])[:, None, :]
-    covariance[:, [0, 1, 2], [0, 1, 2]] += across[:, None]
+    covariance.reshape(-1, 9)[:, ::4] += across[:, None]
     return np.asarray(covariance)

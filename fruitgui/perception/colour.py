@@ -90,27 +90,27 @@ def belt_colour(calm: U8, labels: U8, limits: DepthLimits, every: int = 8) -> Be
     rows, columns = grid.shape[:2]
     reach = slice(None, None, 2 * every)
     bare = (labels[reach, reach] == 0) & (limits.farthest_mm[reach, reach] > 0)
-    logs = LOGARITHM[grid[bare[:rows, :columns]] if np.count_nonzero(bare) >= 16 else grid.reshape(-1, 3)]
-    green = logs[:, 1]
-    ratios = np.stack([logs[:, 0] - green, logs[:, 2] - green, green])
+    found, levels = np.flatnonzero(bare[:rows, :columns]), grid.reshape(-1, 3)
+    red, green, blue = LOGARITHM.take((levels.take(found, axis=0) if len(found) >= 16 else levels).T)
+    ratios = np.stack([red - green, blue - green, green])
     ratios.sort(axis=1)
     below, above = ratios[:, (len(green) - 1) // 2], ratios[:, len(green) // 2]
     return BeltColour(*(0.5 * (below + above)).tolist())
 
 
-def colour_features(pixels: Pixels, calm: U8, belt: BeltColour, limits: DepthLimits) -> F64:
+def colour_features(pixels: Pixels, calm: U8, belt: BeltColour) -> F64:
     """Return the colour features (N, 26) of each fruit, from pixels at least three from its edge where it has such.
 
     Args:
         pixels: of all fruit.
         calm: see `calm_picture`.
         belt: its colour in the same picture.
-        limits: of the sensor.
     """
     enough = pixels.runs.spread(np.minimum(3.0, 0.5 * pixels.deepest_px))
     inner = np.flatnonzero(pixels.edge_px > enough)
-    runs = Runs.of(np.diff(inner.searchsorted(pixels.runs.starts + pixels.runs.counts), prepend=0))
-    place = limits.calm.take(pixels.index.take(inner))
+    runs = Runs.ending(inner.searchsorted(pixels.runs.starts + pixels.runs.counts))
+    place = np.minimum(pixels.row.take(inner) >> 1, calm.shape[0] - 1) * calm.shape[1]
+    place += np.minimum(pixels.column.take(inner) >> 1, calm.shape[1] - 1)
     red, green, blue = (channel.reshape(-1) for channel in cv2.split(calm))
     own = green.take(place)
     beside = np.where(pixels.beside_px.take(inner) > 3.0, green.take(place + STEP, mode="clip"), own)
@@ -135,9 +135,9 @@ class _Inner:
         """Return (N, 26) in the order of `COLOUR_NAMES`."""
         red_green, blue_green, value = self._runs.quantiles(
             [
-                Binned(self._red_green, -3.0, 3.0),
-                Binned(self._blue_green, -4.0, 2.0),
-                Binned(self._log_green, 1.0, 5.6),
+                Binned.of(self._red_green, -3.0, 3.0),
+                Binned.of(self._blue_green, -4.0, 2.0),
+                Binned.of(self._log_green, 1.0, 5.6),
             ],
             (0.1, 0.5, 0.9),
         )

@@ -110,8 +110,8 @@ def fit_spheres(pixels: Pixels, weight: F32) -> tuple[F64, F64]:
         runs.sums(xx, x * y, x * z, yy, y * z, zz, square * x, square * y, square * z, square * square) / total
     )
     s = xx + yy + zz
-    matrix = np.array([xx, xy, xz, xy, yy, yz, xz, yz, zz]).T.reshape(-1, 3, 3)
-    matrix[:, [0, 1, 2], [0, 1, 2]] += (1e-4 * s + 1e-12)[:, None]
+    little = 1e-4 * s + 1e-12
+    matrix = np.array([xx + little, xy, xz, xy, yy + little, yz, xz, yz, zz + little]).T.reshape(-1, 3, 3)
     # Relative to the points' mean the linear terms vanish, so the constant is the mean square.
     right = np.array([sx, sy, sz]).T
     centre = 0.5 * np.linalg.solve(matrix, right[:, :, None])[:, :, 0]

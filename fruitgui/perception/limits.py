@@ -23,9 +23,8 @@ class DepthLimits:
         nearest_mm, farthest_mm: (h, w) uint16; a reading within them is above the belt, inside the region.
         slope: (h, w) float32; height above the belt is offset_m − slope · depth_m.
         offset_m: height of the sensor above the belt.
-        ray_x, ray_y: (h·w,) float32, x/z and y/z of every pixel.
-        grid: (h, w) index of every pixel in the flattened crop.
-        calm: (h·w,) index of every pixel in the flattened crop at half its size.
+        ray_x, ray_y: float32, x/z and y/z: of every pixel (h, w); without a lens's distortion of every column (1, w)
+            and of every row (h, 1). A table that is small stays near the processor.
         belt_z_m: median distance of the belt along z inside the crop.
         focal_px: geometric mean of the focal lengths.
         turn: (3, 3) rotation from the optical frame to the belt's (z up).
@@ -42,8 +41,6 @@ class DepthLimits:
     offset_m: float
     ray_x: F32
     ray_y: F32
-    grid: Ints
-    calm: Ints
     belt_z_m: float
     focal_px: float
     turn: F64
@@ -60,6 +57,13 @@ class DepthLimits:
     def inside_m(self, points_m: F64) -> F64:
         """Return how far points (N, 3) of the optical frame are inside the region's edge, (N,); inf without one."""
         return _inside_m(points_m, self.turn, self.edges)
+
+    def rays_at(self, row: Ints, column: Ints) -> tuple[F32, F32]:
+        """Return x/z and y/z (K,) of pixels of the crop."""
+        if len(self.ray_x) == 1:
+            return self.ray_x.reshape(-1).take(column), self.ray_y.reshape(-1).take(row)
+        index = row * self.shape[1] + column
+        return self.ray_x.reshape(-1).take(index), self.ray_y.reshape(-1).take(index)
 
     def pixels_of(self, length_m: float, z_m: float) -> float:
         """Return how many pixels a length at distance z spans."""
@@ -83,6 +87,7 @@ def depth_limits(intrinsics: Intrinsics, surface: Surface, settings: PerceptionS
     belt_z = plane.offset_m / np.maximum(slope[crop], 1e-3)
     belt_z_m = float(np.median(belt_z[inside])) if inside.any() else float(plane.offset_m)
     focal_px = float(np.sqrt(intrinsics.fx * intrinsics.fy))
+    bent = bool(intrinsics.distortion)
     edge_m = inset_m + 2.0 * belt_z_m / focal_px
     return DepthLimits(
         crop=crop,
@@ -90,10 +95,8 @@ def depth_limits(intrinsics: Intrinsics, surface: Surface, settings: PerceptionS
         farthest_mm=np.ascontiguousarray(farthest_mm[crop]),
         slope=np.ascontiguousarray(slope[crop], dtype=np.float32),
         offset_m=float(plane.offset_m),
-        ray_x=rays[crop][..., 0].astype(np.float32).reshape(-1),
-        ray_y=rays[crop][..., 1].astype(np.float32).reshape(-1),
-        grid=np.arange(inside.size, dtype=np.intp).reshape(inside.shape),
-        calm=_at_half(*inside.shape),
+        ray_x=rays[(crop[0] if bent else slice(crop[0].start, crop[0].start + 1), crop[1])][..., 0].astype(np.float32),
+        ray_y=rays[(crop[0], crop[1] if bent else slice(crop[1].start, crop[1].start + 1))][..., 1].astype(np.float32),
         belt_z_m=belt_z_m,
         focal_px=focal_px,
         turn=plane.frame().rotation,
@@ -176,12 +179,6 @@ def _near_edge(rays: F64, nearest_mm: U16, farthest_mm: U16, turn: F64, edges: F
 def half_of(rows: int, columns: int) -> tuple[int, int]:
     """Return rows and columns of a picture at half its size."""
     return max(rows // 2, 1), max(columns // 2, 1)
-
-
-def _at_half(rows: int, columns: int) -> Ints:
-    height, width = half_of(rows, columns)
-    down, across = np.minimum(np.arange(rows) // 2, height - 1), np.minimum(np.arange(columns) // 2, width - 1)
-    return np.asarray(down[:, None] * width + across).reshape(-1)
 
 
 def _bounding(usable: Bools) -> tuple[slice, slice]:

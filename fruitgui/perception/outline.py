@@ -70,20 +70,21 @@ class Ellipses:
 
 def fit_ellipses(outlines: Outlines) -> Ellipses:
     """Fit an ellipse to every outline, of at least 5 places each (Fitzgibbon, Pilu & Fisher 1999)."""
-    rows = np.array([_ellipse_row(contour) for contour in outlines.each])
-    centre, axes, angle = rows[:, :2], np.maximum(rows[:, 2:4], 1.0), rows[:, 4]
+    rows = np.array([_ellipse(contour) for contour in outlines.each])
+    area_px = np.array([cv2.contourArea(contour) for contour in outlines.each])
+    hull_px = np.array([cv2.contourArea(cv2.convexHull(contour)) for contour in outlines.each])
+    across = rows[:, 3] > rows[:, 2]
+    axes = np.maximum(np.where(across[:, None], rows[:, 3:1:-1], rows[:, 2:4]), 1.0)
+    centre, angle = rows[:, :2], np.radians(rows[:, 4] + 90.0 * across)
     error, tips = _errors(outlines, centre, axes, angle)
-    return Ellipses(centre, axes, angle, error, tips, rows[:, 5], rows[:, 6])
+    return Ellipses(centre, axes, angle, error, tips, area_px, hull_px)
 
 
-def _ellipse_row(contour: Contour) -> tuple[float, ...]:
+def _ellipse(contour: Contour) -> tuple[float, ...]:
     (u, v), (first, second), degrees = cv2.fitEllipseDirect(contour)
-    if not math.isfinite(first + second + u + v) or min(first, second) <= 0.0:
+    if not math.isfinite(first + second + u + v) or first <= 0.0 or second <= 0.0:
         (u, v), (first, second), degrees = cv2.minAreaRect(contour)
-    if second > first:
-        first, second, degrees = second, first, degrees + 90.0
-    hull = cv2.contourArea(cv2.convexHull(contour))
-    return u, v, first, second, math.radians(degrees), cv2.contourArea(contour), hull
+    return u, v, first, second, degrees
 
 
 def _errors(outlines: Outlines, centre: F64, axes: F64, angle: F64) -> tuple[F64, F64]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from fruitgui.frame import U8, Bools, Ints
 from fruitgui.perception.outline import Contour, solidity
-from fruitgui.perception.segment import MOST_GROUPS, Groups, drawn
+from fruitgui.perception.segment import MOST_GROUPS, Groups
 from fruitgui.perception.tiles import Box
 
 CONVEX = 0.945
@@ -59,18 +59,23 @@ def with_parts(groups: Groups, cuts: dict[int, list[Contour]]) -> Parts:
     """Return the fruit when some groups are replaced by parts; one without parts is dropped."""
     if not cuts:
         return unsplit(groups)
-    found: list[tuple[int, bool, Contour]] = []
-    for number, contour in enumerate(groups.contours):
-        found.extend((number, number in cuts, part) for part in cuts.get(number, [contour]))
-    found = found[:MOST_GROUPS]
-    contours = tuple(contour for _, _, contour in found)
-    return Parts(
-        drawn(contours, groups.labels.shape),
-        contours,
-        tuple(cv2.boundingRect(contour) for contour in contours),
-        np.array([number for number, _, _ in found], dtype=np.intp),
-        np.array([shared for _, shared, _ in found], dtype=bool),
-    )
+    labels = groups.labels.copy()
+    count = len(groups.contours) - len(cuts)
+    pieces = [(number, piece) for number, found in cuts.items() for piece in found][: MOST_GROUPS - count]
+    count += len(pieces)
+    found = dict(enumerate(groups.contours))
+    # Only what changes is drawn: parts get the numbers that came free; so do the last groups where some were dropped.
+    for number in cuts:
+        cv2.drawContours(labels, [found.pop(number)], 0, 0, cv2.FILLED)
+    moved = [(number, found.pop(number)) for number in list(found) if number >= count] + pieces
+    came_from = {number: number for number in found}
+    for new, (number, contour) in zip([new for new in range(count) if new not in found], moved, strict=True):
+        cv2.drawContours(labels, [contour], 0, new + 1, cv2.FILLED)
+        found[new], came_from[new] = contour, number
+    group = np.array([came_from[number] for number in range(count)], dtype=np.intp)
+    contours = tuple(found[number] for number in range(count))
+    boxes = tuple(cv2.boundingRect(contour) for contour in contours)
+    return Parts(labels, contours, boxes, group, np.array([number in cuts for number in group.tolist()], dtype=bool))
 
 
 def part_contours(parts: U8, corner: tuple[int, int], least_px: float) -> list[Contour]:

@@ -87,7 +87,7 @@ class Perceiver:
         centres = find_centres(pixels, heights.top_m, rough_m, whole, limits, settings)
         shapes = shape_features(pixels, ellipses, heights, centres.centre_m, limits)
         calm = calm_picture(color, limits)
-        colours = colour_features(pixels, calm, belt_colour(calm, parts.labels, limits), limits)
+        colours = colour_features(pixels, calm, belt_colour(calm, parts.labels, limits))
         is_fruit = self._is_fruit(pixels, heights, centres, ellipses)
         features = np.hstack([colours, shapes]).astype(np.float32)
         return build_views(

@@ -11,7 +11,7 @@ import numpy as np
 from fruitgui.frame import F32, F64, U8, U16, Bools, Ints
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.parts import Parts
-from fruitgui.perception.tiles import Tiles, edge_distance, laid_out
+from fruitgui.perception.tiles import edge_distance, laid_out
 
 ENOUGH_PIXELS = 16_000
 """Where a frame's fruit have more pixels than this, every second is left out: errors of depth are correlated over
@@ -37,6 +37,13 @@ class Runs:
         """Return runs of so many values each."""
         return cls(np.cumsum(counts) - counts, counts)
 
+    @classmethod
+    def ending(cls, ends: Ints) -> Runs:
+        """Return runs that lie one after another, by where each ends."""
+        starts = np.zeros_like(ends)
+        starts[1:] = ends[:-1]
+        return cls(starts, ends - starts)
+
     def sums(self, *values: F32) -> F64:
         """Return the sums of values (P,) over each group, (K, N) of K of them."""
         if len(values[0]) == 0:
@@ -61,8 +68,10 @@ class Runs:
         """Return quantiles (K, N, len(at)) of K rows of values, interpolated within the bins of one histogram."""
         groups = len(self.counts)
         base = (np.arange(groups) * BINS).repeat(self.counts)
-        bins = np.concatenate([row.bins(base + number * groups * BINS) for number, row in enumerate(rows)])
-        table = np.bincount(bins, minlength=len(rows) * groups * BINS)[: len(rows) * groups * BINS].astype(np.float64)
+        size = groups * BINS
+        nowhere = len(rows) * size
+        bins = np.concatenate([row.within(base + number * size, nowhere) for number, row in enumerate(rows)])
+        table = np.bincount(bins, minlength=nowhere)[:nowhere].astype(np.float64)
         rising = table.cumsum()
         before = np.concatenate([[0.0], rising[BINS - 1 : -1 : BINS]])
         total = np.maximum(rising[BINS - 1 :: BINS] - before, 1e-12)
@@ -76,19 +85,26 @@ class Runs:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Binned:
-    """Values (P,) between low and high, sorted by group; those not `counted` (P,) are left out."""
+    """Bins (P,) of values between low and high, sorted by group; those not `counted` (P,) are left out."""
 
-    values: F32
+    bins: Ints
     low: float
     high: float
     counted: Bools | None = None
 
-    def bins(self, base: Ints) -> Ints:
-        """Return the bin of each value that counts, each group's beginning at `base` (P,)."""
-        scaled = (self.values - np.float32(self.low)) * np.float32(BINS / (self.high - self.low))
-        bins = np.minimum(np.maximum(scaled, np.float32(0.0)), np.float32(BINS - 1)).astype(np.intp)
-        bins += base
-        return np.asarray(bins if self.counted is None else bins[self.counted])
+    @classmethod
+    def of(cls, values: F32, low: float, high: float) -> Binned:
+        """Return the bins of values (P,); what is not between low and high counts as these."""
+        scaled = values - np.float32(low)
+        scaled *= np.float32(BINS / (high - low))
+        np.maximum(scaled, np.float32(0.0), out=scaled)
+        np.minimum(scaled, np.float32(BINS - 1), out=scaled)
+        return cls(scaled.astype(np.intp), low, high)
+
+    def within(self, base: Ints, nowhere: int) -> Ints:
+        """Return the bins when each group's begin at `base` (P,), and `nowhere` for values that do not count."""
+        bins = self.bins + base
+        return bins if self.counted is None else np.where(self.counted, bins, nowhere)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -97,7 +113,7 @@ class Pixels:
 
     Attributes:
         runs: where each fruit's pixels are.
-        index: (P,) index in the flattened crop.
+        row, column: (P,) in the crop.
         valid: (P,) float32, 1 where there is a sound depth reading on the fruit, else 0.
         x_m, y_m, depth_m: (P,) float32 in the optical frame, 0 where not valid.
         height_m: (P,) float32 above the belt; meaningless where not valid.
@@ -109,7 +125,8 @@ class Pixels:
     """
 
     runs: Runs
-    index: Ints
+    row: Ints
+    column: Ints
     valid: F32
     x_m: F32
     y_m: F32
@@ -131,42 +148,54 @@ def gather_pixels(parts: Parts, standing_mm: U16, limits: DepthLimits) -> Pixels
         standing_mm: (h, w) of the crop, depth readings that count as fruit, 0 elsewhere.
         limits: of the sensor.
     """
-    tiles = laid_out(parts.boxes, parts.labels.shape, gap=BESIDE + 1)
+    down, across = _thinning(cv2.countNonZero(parts.labels))
+    tiles = laid_out(parts.boxes, parts.labels.shape, BESIDE + 1, (down, across))
     own = tiles.owned(parts.labels)
-    edges = edge_distance(tiles, _inside(own, parts, tiles))
-    down, across = _thinning(cv2.countNonZero(own))
-    sources, places = tiles.thinned(down, across)
-    sampled = [own[place].ravel() for place in places]
-    found = np.flatnonzero(np.concatenate(sampled))
-    ends = np.cumsum([len(one) for one in sampled])
-    index = np.concatenate([limits.grid[source].ravel() for source in sources]).take(found)
-    edge_px = np.concatenate([edges[place].ravel() for place in places]).take(found)
-    beside = [edges[rows, columns.start + BESIDE : columns.stop + BESIDE : across].ravel() for rows, columns in places]
-    runs = Runs.of(np.diff(found.searchsorted(ends), prepend=0))
-    depth_m = standing_mm.reshape(-1).take(index) * np.float32(1e-3)
-    ray_x, ray_y = limits.ray_x.take(index), limits.ray_y.take(index)
+    edges = edge_distance(tiles, _inside(own, parts, tiles.shifts)).reshape(-1)
+    runs, row, column = _sorted_by_fruit(own[::down, ::across], len(parts.boxes))
+    row, column = row * down, column * across
+    place = row * own.shape[1] + column
+    row -= tiles.shifts[:, 1].repeat(runs.counts)
+    column -= tiles.shifts[:, 0].repeat(runs.counts)
+    edge_px = edges.take(place)
+    depth_m = standing_mm.reshape(-1).take(row * limits.shape[1] + column) * np.float32(1e-3)
+    ray_x, ray_y = limits.rays_at(row, column)
+    along_x, along_y, along_z = limits.turn[2].astype(np.float32)
     return Pixels(
         runs=runs,
-        index=index,
+        row=row,
+        column=column,
         valid=(depth_m > 0).astype(np.float32),
         x_m=ray_x * depth_m,
         y_m=ray_y * depth_m,
         depth_m=depth_m,
-        height_m=np.float32(limits.offset_m) - limits.slope.reshape(-1).take(index) * depth_m,
+        height_m=np.float32(limits.offset_m) + (ray_x * along_x + ray_y * along_y + along_z) * depth_m,
         ray_x=ray_x,
         ray_y=ray_y,
         edge_px=edge_px,
-        beside_px=np.concatenate(beside).take(found),
+        beside_px=edges.take(place + BESIDE),
         deepest_px=runs.most(edge_px),
         every=down * across,
     )
 
 
-def _inside(own: U8, parts: Parts, tiles: Tiles) -> U8:
+def _sorted_by_fruit(own: U8, fruit: int) -> tuple[Runs, Ints, Ints]:
+    """Return where rows and columns of each fruit's pixels are, and these rows and columns (P,)."""
+    flat = own.ravel()
+    found = np.flatnonzero(flat != 0)
+    label = flat.take(found)
+    order = label.argsort(kind="stable")
+    ends = label.take(order).searchsorted(np.arange(1, fruit + 1, dtype=np.uint8), side="right")
+    place = found.take(order)
+    row = place // own.shape[1]
+    return Runs.ending(ends), row, place - row * own.shape[1]
+
+
+def _inside(own: U8, parts: Parts, shifts: Ints) -> U8:
     """Return the mosaic that is not 0 inside the fruit; where two fruit touch is an edge too."""
     inside = cv2.compare(own, 0, cv2.CMP_GT)
     for number in np.flatnonzero(parts.shared).tolist():
-        cv2.drawContours(inside, [parts.contours[number]], 0, 0, 1, offset=tiles.shift(number))
+        cv2.drawContours(inside, [parts.contours[number]], 0, 0, 1, offset=shifts[number].tolist())
     return np.asarray(inside)
 
 

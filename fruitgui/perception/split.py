@@ -84,7 +84,7 @@ class HeightSplitter:
         saddle, neck = lowest_between((relief.height_m, relief.wide_px), tops.place, tops.place[highest])
         narrower_px = np.minimum(tops.wide_px, tops.wide_px[highest])
         apart = self._score(tops.height_m, narrower_px, tops.height_m - saddle, narrower_px - neck) >= 1.0
-        return [int(group) for group in np.unique(tops.group[apart])]
+        return sorted(set(tops.group[apart].tolist()))
 
     def _clusters(self, relief: Relief, tops: Tops) -> Ints:
         """Return for every top of one group the number of the fruit it belongs to.

@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from fruitgui.frame import F32, U8
+from fruitgui.frame import F32, U8, Ints
 
 Box = tuple[int, int, int, int]
 """Left, top, width and height, pixels."""
@@ -26,12 +26,14 @@ class Tiles:
     Attributes:
         sources: where each is in the picture.
         places: where each is in the mosaic.
+        shifts: (N, 2) by how many columns and rows each was moved.
         shape: rows and columns of the mosaic.
         at_border: the tiles that lie at the picture's border.
     """
 
     sources: tuple[Place, ...]
     places: tuple[Place, ...]
+    shifts: Ints
     shape: tuple[int, int]
     at_border: tuple[int, ...]
 
@@ -50,24 +52,6 @@ class Tiles:
         mosaic = self.cut(labels)
         return np.asarray(cv2.copyTo(mosaic, cv2.compare(mosaic, numbers, cv2.CMP_EQ)))
 
-    def shift(self, number: int) -> tuple[int, int]:
-        """Return by how many columns and rows a tile was moved."""
-        (rows, columns), (down, across) = self.sources[number], self.places[number]
-        return across.start - columns.start, down.start - rows.start
-
-    def thinned(self, down: int, across: int) -> tuple[list[Place], list[Place]]:
-        """Return sources and places of those pixels alone whose rows and columns in the picture are such multiples."""
-        steps = (down, across)
-        skips = [tuple(-side.start % step for side, step in zip(one, steps, strict=True)) for one in self.sources]
-        return _every(self.sources, skips, steps), _every(self.places, skips, steps)
-
-
-def _every(places: Sequence[Place], skips: Sequence[tuple[int, ...]], steps: tuple[int, int]) -> list[Place]:
-    return [
-        (slice(rows.start + top, rows.stop, steps[0]), slice(columns.start + left, columns.stop, steps[1]))
-        for (rows, columns), (top, left) in zip(places, skips, strict=True)
-    ]
-
 
 def edge_distance(tiles: Tiles, inside: U8) -> F32:
     """Return how far (pixels) every pixel of a mosaic is from the nearest that is 0; the picture's border is none."""
@@ -78,29 +62,39 @@ def edge_distance(tiles: Tiles, inside: U8) -> F32:
     return np.asarray(distance)
 
 
-def laid_out(boxes: Sequence[Box], shape: tuple[int, int], gap: int = 1) -> Tiles:
+def laid_out(boxes: Sequence[Box], shape: tuple[int, int], gap: int = 1, steps: tuple[int, int] = (1, 1)) -> Tiles:
     """Return boxes (at least one) of a picture of some shape on shelves, the tallest first.
 
-    Each is widened by a pixel where the picture goes on; a gap of pixels that belong to nothing is round each.
+    Each is widened by a pixel where the picture goes on; a gap of pixels that belong to nothing is round each. Tiles
+    are moved by multiples of `steps` (rows, columns): every so manieth pixel of the picture is one of the mosaic.
     """
-    rows, columns = shape
-    sources = [
-        (slice(max(top - 1, 0), min(top + height + 1, rows)),
-         slice(max(left - 1, 0), min(left + width + 1, columns)))
-        for left, top, width, height in boxes
-    ]  # fmt: skip
-    sizes = [(rows.stop - rows.start, columns.stop - columns.start) for rows, columns in sources]
-    widest = max(max(width for _, width in sizes), int(sum(height * width for height, width in sizes) ** 0.5)) + gap
-    places: list[Place] = [(slice(0), slice(0))] * len(sizes)
-    left, top, shelf = gap, gap, 0
-    for number in sorted(range(len(sizes)), key=lambda number: -sizes[number][0]):
-        height, width = sizes[number]
-        if left + width > widest:
-            left, top, shelf = gap, top + shelf + gap, 0
-        places[number] = (slice(top, top + height), slice(left, left + width))
-        left, shelf = left + width + gap, max(shelf, height)
-    at_border = tuple(
-        number for number, (down, across) in enumerate(sources)
-        if down.start == 0 or across.start == 0 or down.stop == rows or across.stop == columns
+    (rows, columns), (down, across) = shape, steps
+    corners, rooms = [], []
+    for left, top, width, height in boxes:
+        x, y = max(left - 1, 0) // across * across, max(top - 1, 0) // down * down
+        right, below = min(left + width + 1, columns), min(top + height + 1, rows)
+        corners.append((x, y, right, below))
+        rooms.append((-(-(right - x + gap) // across) * across, -(-(below - y + gap) // down) * down))
+    first_left, first_top = -(-gap // across) * across, -(-gap // down) * down
+    widest = first_left + max(max(wide for wide, _ in rooms), int(sum(wide * tall for wide, tall in rooms) ** 0.5))
+    shifts = [(0, 0)] * len(rooms)
+    left, top, shelf = first_left, first_top, 0
+    for number in sorted(range(len(rooms)), key=lambda number: -rooms[number][1]):
+        wide, tall = rooms[number]
+        if left + wide > widest:
+            left, top, shelf = first_left, top + shelf, 0
+        shifts[number] = (left - corners[number][0], top - corners[number][1])
+        left, shelf = left + wide, max(shelf, tall)
+    return Tiles(
+        tuple([(slice(y, below), slice(x, right)) for x, y, right, below in corners]),
+        tuple([
+            (slice(y + dy, below + dy), slice(x + dx, right + dx))
+            for (x, y, right, below), (dx, dy) in zip(corners, shifts, strict=True)
+        ]),
+        np.array(shifts, dtype=np.intp),
+        (top + shelf, widest),
+        tuple([
+            number for number, (x, y, right, below) in enumerate(corners)
+            if x == 0 or y == 0 or right == columns or below == rows
+        ]),
     )  # fmt: skip
-    return Tiles(tuple(sources), tuple(places), (top + shelf + gap, widest + gap), at_border)

@@ -54,7 +54,7 @@ def find_tops(relief: Relief, window: U8, most: int = 400) -> Tops:
     summit = cv2.compare(height_m, cv2.dilate(height_m, window), cv2.CMP_GE)
     widest = cv2.compare(wide_px, cv2.max(cv2.dilate(wide_px, wide), 2.0), cv2.CMP_GE)
     inside = cv2.compare(height_m, 0.0, cv2.CMP_GT)
-    found = np.flatnonzero(cv2.bitwise_and(cv2.bitwise_or(summit, widest), inside))
+    found = np.flatnonzero(cv2.bitwise_and(cv2.bitwise_or(summit, widest), inside) != 0)
     if len(found) > most:
         found = found[np.argsort(-height_m.reshape(-1).take(found))[:most]]
     return Tops(

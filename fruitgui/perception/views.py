@@ -40,7 +40,8 @@ def build_views(
     across, down = limits.crop[1].start, limits.crop[0].start
     outline_px = seen.outlines.places.astype(np.float32)
     corner = np.array([across, down], dtype=np.float32)
-    outline_px += corner
+    for axis, start in enumerate((across, down)):
+        outline_px[:, axis] += np.float32(start)
     patches = patches_at(color, seen.ellipses.centre_px + corner)
     areas = seen.ellipses.area_px.astype(np.intp).tolist()
     first, length = seen.outlines.starts.tolist(), seen.outlines.counts.tolist()
@@ -78,7 +79,7 @@ def build_views(
 
 def _points(pixels: Pixels) -> tuple[F32, F32, list[int]]:
     """Return all sound points (Q, 3), their distances from the edge (Q,), and where each fruit's begin and end."""
-    sound = np.flatnonzero(pixels.valid)
+    sound = np.flatnonzero(pixels.valid > 0)
     points = np.empty((len(sound), 3), np.float32)
     for axis, values in enumerate((pixels.x_m, pixels.y_m, pixels.depth_m)):
         points[:, axis] = values.take(sound)

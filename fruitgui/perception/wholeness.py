@@ -82,13 +82,15 @@ def _empty_run(strip: U16) -> Ints:
 
 def _at_the_region(places: Places, standing_mm: U16, limits: DepthLimits) -> Ints:
     """Return which places have their foot on the region's edge, within three pixels' width."""
-    flat = limits.grid[places[1], places[0]]
+    column, row = places.astype(np.intp)
+    flat = row * limits.shape[1] + column
     near = np.flatnonzero(limits.near_edge.take(flat))
     if len(near) == 0:
         return near
     flat = flat[near]
     z_m = standing_mm.reshape(-1).take(flat) * np.float32(1e-3)
-    points = np.stack([limits.ray_x.take(flat) * z_m, limits.ray_y.take(flat) * z_m, z_m], axis=1)
+    ray_x, ray_y = limits.rays_at(row[near], column[near])
+    points = np.stack([ray_x * z_m, ray_y * z_m, z_m], axis=1)
     return np.asarray(near[(z_m > 0) & (limits.inside_m(points) < limits.edge_m)])
 
 
@@ -100,15 +102,15 @@ def _others(
     if len(near) == 0:
         return near, near
     rows, columns = limits.shape
-    depth_mm = depth_mm[limits.crop]
-    u, v = places[:, near].astype(np.intp)
-    here = depth_mm[v, u] - np.float32(1e3 * jump_m)
-    u = np.minimum(np.maximum(u + _RIGHT, 0), columns - 1)
-    v = np.minimum(np.maximum(v + _DOWN, 0), rows - 1)
-    label = parts.labels[v, u]
-    way, place = np.nonzero((label != 0) & (label != owner[near] + 1))
-    beyond = depth_mm[v[way, place], u[way, place]]
-    return near[place], np.unique(near[place[(beyond > 0) & (beyond < here[place])]])
+    depth = depth_mm[limits.crop].ravel()
+    u, v = places.take(near, axis=1).astype(np.intp)
+    here = depth.take(v * columns + u) - np.float32(1e3 * jump_m)
+    place = np.minimum(np.maximum(v + _DOWN, 0), rows - 1) * columns
+    place += np.minimum(np.maximum(u + _RIGHT, 0), columns - 1)
+    label, beyond = parts.labels.reshape(-1).take(place), depth.take(place)
+    other = (label != 0) & (label != owner.take(near) + 1)
+    hidden = other & (beyond > 0) & (beyond < here)
+    return near[other.any(axis=0)], near[hidden.any(axis=0)]
 
 
 def _crowded(boxes: Ints) -> Bools:

@@ -154,7 +154,7 @@ def photo_features(color: U8) -> np.ndarray:
     middle[60:180, 80:240] = 1
     parts = Parts(middle, (), ((80, 60, 160, 120),), np.zeros(1, np.intp), np.zeros(1, bool))
     pixels = gather_pixels(parts, np.full((240, 320), 950, np.uint16), limits)
-    features = colour_features(pixels, calm_picture(color, limits), BeltColour(0.0, 0.0, 0.0), limits)[0]
+    features = colour_features(pixels, calm_picture(color, limits), BeltColour(0.0, 0.0, 0.0))[0]
     return features[[n for n, name in enumerate(COLOUR_NAMES) if name.startswith("chroma_") and "belt" not in name]]
 
 

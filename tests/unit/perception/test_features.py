@@ -84,7 +84,9 @@ def test_sums_and_quantiles_by_group_are_those_of_each_group() -> None:
     values = rng.normal(0.5, 0.1, 1300).astype(np.float32)
     assert runs.sums(values)[0] == pytest.approx([values[:400].sum(), 0.0, values[400:].sum()], rel=1e-5)
     low = values < 0.5
-    all_of_them, lower = runs.quantiles([Binned(values, 0.0, 1.0), Binned(values, -1.0, 1.0, low)], (0.1, 0.5))
+    all_of_them, lower = runs.quantiles(
+        [Binned.of(values, 0.0, 1.0), replace(Binned.of(values, -1.0, 1.0), counted=low)], (0.1, 0.5)
+    )
     for group, part in ((0, slice(400)), (2, slice(400, None))):
         assert all_of_them[group] == pytest.approx(np.quantile(values[part], [0.1, 0.5]), abs=0.01)
         assert lower[group] == pytest.approx(np.quantile(values[part][low[part]], [0.1, 0.5]), abs=0.02)
