@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -69,3 +72,14 @@ def test_a_region_out_of_sight_gives_limits_that_nothing_meets() -> None:
     assert away.region_m is not None
     limits = depth_limits(CAMERA, Surface(away.plane, away.region_m + np.array([5.0, 0.0, 0.0])), SETTINGS)
     assert (limits.farthest_mm < limits.nearest_mm).all()
+
+
+@pytest.mark.parametrize("distortion", [(), (0.1, -0.2, 0.001, -0.002, 0.05)])
+def test_rays_of_the_crop_are_those_of_the_camera_whether_its_lens_bends_them(distortion: tuple[float, ...]) -> None:
+    camera = replace(CAMERA, distortion=distortion)
+    limits = depth_limits(camera, surface(0.5, 0.1, 1.0, 0.2), SETTINGS)
+    row, column = (side.reshape(-1) for side in np.indices(limits.shape))
+    x, y = limits.rays_at(row, column)
+    expected = camera.rays()[limits.crop].reshape(-1, 2)
+    assert np.abs(np.stack([x, y], axis=1) - expected).max() < 1e-6
+    assert limits.shape != (camera.height, camera.width)

@@ -41,6 +41,19 @@ def test_every_box_is_in_the_mosaic_once_with_a_gap_round_it(found: list[Box], g
     assert used.max() == 1
 
 
+@given(boxes(), st.sampled_from([(1, 1), (2, 1), (2, 2), (3, 2)]))
+def test_every_so_manieth_pixel_of_the_mosaic_is_one_of_the_picture(found: list[Box], steps: tuple[int, int]) -> None:
+    tiles = laid_out(found, SHAPE, 5, steps)
+    rows, columns = np.indices(SHAPE)
+    on_grid = (rows % steps[0] == 0) & (columns % steps[1] == 0)
+    mosaic = tiles.cut(on_grid)
+    in_mosaic = np.zeros(tiles.shape, bool)
+    in_mosaic[:: steps[0], :: steps[1]] = True
+    for (down, across), source, shift in zip(tiles.places, tiles.sources, tiles.shifts, strict=True):
+        assert (mosaic[down, across] == in_mosaic[down, across]).all()
+        assert (across.start - source[1].start, down.start - source[0].start) == tuple(shift)
+
+
 def test_distances_are_those_of_the_picture_also_at_its_border() -> None:
     picture = np.zeros(SHAPE, np.uint8)
     cv2.circle(picture, (40, 40), 15, 1, -1)
