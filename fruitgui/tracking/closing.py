@@ -8,6 +8,7 @@ import numpy as np
 
 from fruitgui.frame import F64
 from fruitgui.geometry.rig import Rig
+from fruitgui.tracking.bodies import surface_m
 from fruitgui.tracking.resolve import NEIGHBOUR_M, Resolver
 from fruitgui.tracking.settings import TrackerSettings
 from fruitgui.tracking.smooth import smoothed_path
@@ -58,9 +59,10 @@ class Closing:
             if _like(trail, twin) and twin not in self._done:
                 twin.absorb(trail, self._settings.kept_views)
             return []
-        if not self._resolver.counts(trail, crossed):
+        if not self._resolver.counts(trail, crossed) or self._resolver.is_part(trail, others, self._rig):
             return []
         track = self._track(trail)
+        trail.surface_m = surface_m(trail, self._rig)
         trail.entries = []
         self._done.append(trail)
         return [track]

@@ -14,6 +14,8 @@ from typing import Protocol
 import numpy as np
 
 from fruitgui.frame import F64
+from fruitgui.geometry.rig import Rig
+from fruitgui.tracking.bodies import built_like_fruit, evidence, one_body
 from fruitgui.tracking.settings import TrackerSettings
 from fruitgui.tracking.trail import Company, Trail
 
@@ -42,6 +44,9 @@ class Resolver(Protocol):
     def obvious_twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
         """Return the better supported trail that is beyond doubt the same fruit, while both are followed."""
 
+    def is_part(self, trail: Trail, others: Iterable[Trail], rig: Rig) -> bool:
+        """Tell whether a trail that counts shows only a part of a body that another trail stands for."""
+
     def counts(self, trail: Trail, crossed: bool) -> bool:
         """Tell whether the trail is a fruit to be counted; `crossed`: it left the field whole, by itself."""
 
@@ -59,6 +64,10 @@ class EveryTrail:
     def obvious_twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:  # noqa: ARG002 - the protocol
         """Return none: tracks are not compared."""
         return None
+
+    def is_part(self, trail: Trail, others: Iterable[Trail], rig: Rig) -> bool:  # noqa: ARG002 - the protocol
+        """Return False: tracks are not compared."""
+        return False
 
     def counts(self, trail: Trail, crossed: bool) -> bool:
         """Tell whether it was seen often enough."""
@@ -81,6 +90,14 @@ class Majority:
         same = [other for other in others if _is_same(trail, other) and _rank(other) > _rank(trail)]
         bodies = [other for other in same if _pair_under(other, [*others, trail]) is None]
         return max(bodies, key=_rank, default=None)
+
+    def is_part(self, trail: Trail, others: Iterable[Trail], rig: Rig) -> bool:
+        """Tell whether a trail is part of a body for which another one counts, or was given out already."""
+        if built_like_fruit(trail):
+            return False
+        near = _near(trail, [o for o in others if o is not trail and not built_like_fruit(o)])
+        fuller = [o for o in near if not o.entries or (evidence(o) > evidence(trail) and self.counts(o, crossed=False))]
+        return any(one_body(trail, other, rig) for other in fuller)
 
     def obvious_twin(self, trail: Trail, others: Iterable[Trail]) -> Trail | None:
         """Return the better supported trail at the same place with which this one takes turns."""

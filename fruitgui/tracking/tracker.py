@@ -10,6 +10,7 @@ from fruitgui.frame import F64, Bools, Ints
 from fruitgui.geometry.rig import Rig
 from fruitgui.perception.view import Observation
 from fruitgui.tracking.belt import BeltMotion
+from fruitgui.tracking.bodies import SMALLEST_M
 from fruitgui.tracking.closing import Closing
 from fruitgui.tracking.field import FieldOfView
 from fruitgui.tracking.follow import BeltModel
@@ -22,9 +23,6 @@ from fruitgui.tracking.settings import TrackerSettings
 from fruitgui.tracking.start import Start
 from fruitgui.tracking.track import Track
 from fruitgui.tracking.trail import Entry, Trail
-
-SMALLEST_M = 0.035
-"""No fruit is smaller."""
 
 CLUTTER_FRAMES = 6
 """A track of one or two views whose place then shows nothing for so many frames was never there."""
@@ -236,9 +234,7 @@ class Tracker:
             both, one = shown[i] and shown[j], shown[i] != shown[j] and not group
             first, second = self._trails[i], self._trails[j]
             for company in (first.company_of(second.number), second.company_of(first.number)):
-                company.merged += group
-                company.both += both
-                company.one += one
+                company.note(claims.seen.sensor, both, one, group)
 
     def _add(self, claims: Claims, travelled_m: F64) -> None:
         """Begin a track at every view that belongs to nothing."""

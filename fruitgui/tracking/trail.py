@@ -10,6 +10,9 @@ import numpy as np
 from fruitgui.frame import F64
 from fruitgui.perception.view import FruitView
 
+TELLING_FRAMES = 4
+"""A sensor that saw two tracks less often, say at the edge of its picture, has no word in whether they are two."""
+
 STANDING_M_S = 1e-3
 """While the belt stands, a second counts like a millimetre of way when sightings are thinned."""
 
@@ -42,11 +45,21 @@ class Company:
         both: frames that showed them as two views.
         one: frames that showed one of them only.
         merged: frames in which one view covered both.
+        by_sensor: of each sensor's frames, how many showed them as two views, and how many said anything.
     """
 
     both: int = 0
     one: int = 0
     merged: int = 0
+    by_sensor: dict[str, tuple[int, int]] = field(default_factory=dict)
+
+    def note(self, sensor: str, both: bool, one: bool, merged: bool) -> None:
+        """Count one frame."""
+        self.both += both
+        self.one += one
+        self.merged += merged
+        apart, telling = self.by_sensor.get(sensor, (0, 0))
+        self.by_sensor[sensor] = apart + both, telling + 1
 
     def join(self, other: Company) -> None:
         """Add the record of a track that was the same fruit: a frame's `one` may have been the other's `both`."""
@@ -54,6 +67,9 @@ class Company:
         self.one = max(self.one + other.one - both, 0)
         self.both = both
         self.merged = max(self.merged, other.merged)
+        for sensor, (apart, telling) in other.by_sensor.items():
+            own = self.by_sensor.get(sensor, (0, 0))
+            self.by_sensor[sensor] = own[0] + apart, max(own[1], telling)
 
 
 @dataclass(slots=True, eq=False)
@@ -70,6 +86,7 @@ class Trail:
         expected: frames that should have shown it. unseen: of them, the last ones in a row that did not.
         looks: (5,) running mean. size_m: running mean diameter.
         company: by the number of another track.
+        surface_m: (n, 3) sample of the seen surface in the belt's frame, once the views are given away.
     """
 
     number: int
@@ -87,6 +104,7 @@ class Trail:
     expected: int = 0
     unseen: int = 0
     company: dict[int, Company] = field(default_factory=dict)
+    surface_m: F64 = field(default_factory=lambda: np.zeros((0, 3)))
 
     @property
     def place_m(self) -> F64:
@@ -122,6 +140,16 @@ class Trail:
             self.company.get(other.number, Company()).both,
             other.company.get(self.number, Company()).both,
         )
+
+    def parted(self, other: Trail) -> float:
+        """Return the share of frames that showed this track and the other as two views, by the sensor that says most.
+
+        Two fruit are apart to a sensor that looks along the gap between them, even if to no other.
+        """
+        records = (self.company.get(other.number, Company()), other.company.get(self.number, Company()))
+        fuller = max(records, key=lambda record: record.both + record.one + record.merged)
+        shares = [apart / telling for apart, telling in fuller.by_sensor.values() if telling >= TELLING_FRAMES]
+        return max(shares, default=0.0)
 
     def absorb(self, other: Trail, most: int) -> None:
         """Take over the sightings of a track that turned out to be this fruit."""

@@ -1,0 +1,114 @@
+"""Parts of one body are one record; fruit that touch never are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import permutations
+
+import numpy as np
+import pytest
+
+from fruitgui.tracking.bodies import built_like_fruit, one_body
+from fruitgui.tracking.resolve import Majority
+from fruitgui.tracking.settings import TrackerSettings
+from fruitgui.tracking.trail import Entry, Trail
+from tests.unit.tracking.line import Line, Piece, opposed
+
+LINE = Line(opposed(), [Piece(0, np.array([0.0, 0.0, 0.03]), 0.03, np.zeros(3))], lambda _t: 0.0, duration_s=2.0)
+RIG = LINE.rig
+VIEW = LINE.observations()[0].views[0]
+SKIN, GREEN = (0.42, 0.31), (0.31, 0.46)
+
+
+def trail(
+    number: int, along_m: float, size_m: float, height_m: float, clear: int = 40, color: tuple[float, float] = SKIN
+) -> Trail:
+    """Return a finished trail whose surface is a disk of its size."""
+    looks = np.array([height_m, np.log(size_m), *color, 5.5])
+    one = Trail(number, 0.0, looks, size_m, views=clear, whole=clear, clear=clear, expected=clear)
+    one.position_m = np.array([along_m, 0.0, 1.0])
+    angle, share = np.meshgrid(np.linspace(0.0, 6.28, 24), [0.2, 0.5, 0.8, 1.0])
+    ring = 0.5 * size_m * share
+    disk = np.stack([ring * np.cos(angle), ring * np.sin(angle), 0.0 * ring], axis=2).reshape(-1, 3)
+    one.surface_m = disk + one.position_m
+    return one
+
+
+def frames(first: Trail, second: Trail, apart: tuple[int, int], telling: int = 20) -> None:
+    """Let each of two sensors show the trails as two views in so many of its telling frames."""
+    for sensor, both in zip(("s1", "s2"), apart, strict=True):
+        for n in range(telling):
+            first.company_of(second.number).note(sensor, n < both, n >= both, merged=False)
+
+
+def test_a_finger_that_flickers_beside_a_flat_hand_is_part_of_it() -> None:
+    palm, finger = trail(1, 0.0, 0.11, 0.038), trail(2, 0.075, 0.03, 0.028, clear=15)
+    frames(palm, finger, (6, 2))
+    assert one_body(palm, finger, RIG)
+
+
+def test_two_halves_that_no_frame_shows_together_are_one_flat_body() -> None:
+    left, right = trail(1, 0.0, 0.08, 0.036), trail(2, 0.078, 0.07, 0.034)
+    frames(left, right, (0, 0))
+    assert one_body(left, right, RIG)
+
+
+def test_tips_of_a_curled_leaf_are_one_leaf_even_if_always_seen_as_two() -> None:
+    tips = trail(1, 0.0, 0.03, 0.015, color=GREEN), trail(2, 0.085, 0.031, 0.017, color=GREEN)
+    frames(*tips, (20, 20))
+    assert one_body(*tips, RIG)
+    away = trail(3, 0.16, 0.03, 0.015, color=GREEN)
+    assert not one_body(tips[0], away, RIG)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_fruit_are_never_parts_whatever_the_frames_say(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    for _ in range(40):
+        sizes = rng.uniform(0.036, 0.12, 2)
+        heights = np.maximum(rng.uniform(0.7, 1.0, 2) * sizes, 0.033)
+        fruit = [
+            trail(n + 1, n * 0.45 * sizes.sum(), size, height)
+            for n, (size, height) in enumerate(zip(sizes, heights, strict=True))
+        ]
+        frames(fruit[0], fruit[1], (int(rng.integers(0, 20)), int(rng.integers(0, 20))))
+        assert all(built_like_fruit(one) for one in fruit)
+        assert not one_body(fruit[0], fruit[1], RIG)
+
+
+def test_a_small_fruit_behind_a_big_one_or_beside_a_hand_stays_a_fruit() -> None:
+    small = trail(1, 0.07, 0.045, 0.04, clear=12)
+    for other in (trail(2, 0.0, 0.1, 0.085), trail(2, 0.0, 0.12, 0.037)):
+        frames(small, other, (9, 0))
+        assert not one_body(small, other, RIG)
+        assert not Majority(TrackerSettings()).is_part(small, [other], RIG)
+
+
+def test_flat_things_that_one_sensor_always_parts_are_two() -> None:
+    cards = trail(1, 0.0, 0.08, 0.03), trail(2, 0.085, 0.08, 0.03)
+    frames(*cards, (19, 0))
+    assert not one_body(*cards, RIG)
+
+
+def test_parts_must_touch_and_be_of_one_color() -> None:
+    palm = trail(1, 0.0, 0.11, 0.038)
+    apart, leaf = trail(2, 0.11, 0.03, 0.028), trail(3, 0.07, 0.03, 0.028, color=(0.2, 0.6))
+    assert not one_body(palm, apart, RIG)
+    assert not one_body(palm, leaf, RIG)
+
+
+def test_of_the_parts_of_a_hand_exactly_one_counts_in_whatever_order_they_are_settled() -> None:
+    resolver = Majority(TrackerSettings())
+    for order in permutations(range(3)):
+        parts = [trail(1, 0.0, 0.08, 0.036, 12), trail(2, 0.07, 0.082, 0.038, 14), trail(3, 0.035, 0.032, 0.028, 30)]
+        for part in parts:
+            view = replace(VIEW, points_m=part.surface_m.astype(np.float32))
+            part.entries = [Entry(0.0, view, part.position_m, np.eye(3), np.zeros(3), cut=False)] * 2
+        kept: list[Trail] = []
+        left = [parts[i] for i in order]
+        while left:
+            one = left.pop(0)
+            if not resolver.is_part(one, [*left, *kept], RIG):
+                kept.append(one)
+                one.entries = []
+        assert len(kept) == 1
