@@ -43,6 +43,11 @@ STEP_PER_Z2 = 2.9e-3
 """Step of a Kinect's depth, metres at 1 m (1/8 px of disparity at f = 580 px, b = 75 mm)."""
 
 
+UNSTEADY_M, LEAST_PATH = 3e-3, 8
+"""A path of so many views that strays farther from a cubic in time is that of a belt that stopped or changed its speed:
+the noise of a path is about 1 mm from capture to capture."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Evidence:
     """V views of one fruit, M samples each (padded), in the belt frame: z up, z = 0 on the belt.
@@ -61,6 +66,7 @@ class Evidence:
         pixel_m: (V, M) size of a pixel at the sample.
         share: (V, M) what one sample counts, where they are closer than errors are independent.
         time_s: (V,) since the middle of the track.
+        way_m: (V, 3) how far the belt had carried the fruit, as tracking tells it.
         sensor: (V,) index into `sensors`.
         sensors: ids.
         axes: (S, 3, 3) rows are the picture's x, y and depth directions.
@@ -80,6 +86,7 @@ class Evidence:
     pixel_m: F64
     share: F64
     time_s: F64
+    way_m: F64
     sensor: Ints
     sensors: tuple[str, ...]
     axes: F64
@@ -106,6 +113,7 @@ class Evidence:
             self.pixel_m[:, kept],
             self.share[:, kept],
             self.time_s,
+            self.way_m,
             self.sensor,
             self.sensors,
             self.axes,
@@ -153,6 +161,9 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
     area_px = np.array([s.view.area_px for s in chosen])
     times = np.array([s.time_s for s in chosen])
     spoilt = np.array([s.view.shared or not s.view.whole for s in chosen])
+    numbers = _indices(track, chosen)
+    path_m = belt.apply(np.array([track.path[number].position_m for number in numbers]))
+    times -= 0.5 * (times.min() + times.max())
     return Evidence(
         samples_m=directions + place[:, None, :],
         used=used,
@@ -161,17 +172,34 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
         depth_sigma_m=z**2 * np.hypot(SIGMA_PER_Z2, STEP_PER_Z2 / np.sqrt(12.0)),
         pixel_m=z / focal[:, None],
         share=_share(used, points, area_px, spoilt),
-        time_s=times - 0.5 * (times.min() + times.max()),
+        time_s=times,
+        way_m=_way(times, path_m, belt.turn(track.velocity_m_s)),
         sensor=sensor,
         sensors=sensors,
         axes=rotation.transpose(0, 2, 1),
         sensor_place_m=np.stack([p.pose.translation_m for p in places]),
-        sightings=_indices(track, chosen),
+        sightings=numbers,
         offset_sigma_m=np.array([p.offset_sigma_m for p in places]),
         centre_m=np.matmul(rotation[sensor], np.stack([s.view.centre_m for s in chosen])[..., None])[..., 0] + place,
         height_m=float(np.median([s.view.height_m for s in chosen])),
         spoilt=spoilt,
     )
+
+
+def _way(time_s: F64, path_m: F64, velocity_m_s: F64) -> F64:
+    """Return the way (V, 3) that a fruit was carried: at its mean velocity, or its path where the belt was unsteady.
+
+    A path is known capture by capture, and so less evenly than a velocity: it is taken only where the belt did what
+    no cubic in time can follow.
+    """
+    way = time_s[:, None] * velocity_m_s
+    if len(time_s) < LEAST_PATH:
+        return np.asarray(way)
+    powers = np.vander(time_s / max(float(np.abs(time_s).max()), 1e-9), 4)
+    left = path_m - powers @ np.linalg.lstsq(powers, path_m, rcond=None)[0]
+    if float(np.sqrt((left[:, :2] ** 2).sum(axis=1).mean())) < UNSTEADY_M:
+        return np.asarray(way)
+    return np.asarray((path_m - path_m.mean(axis=0)) * (1.0, 1.0, 0.0))
 
 
 def _clearest(sightings: list[Sighting]) -> list[Sighting]:

@@ -8,19 +8,20 @@ from fruitgui.frame import F64
 from fruitgui.measurement.evidence import Evidence
 
 
-def carried(evidence: Evidence, place_m: F64, velocity_m_s: F64, degree: int) -> tuple[F64, float]:
+def carried(evidence: Evidence, place_m: F64, degree: int) -> tuple[F64, float]:
     """Return how far the belt carried the fruit at each view (V, 3), zero on average, and the scatter about it, metres.
 
-    A polynomial in time, common to all sensors, beside one offset for each
-    sensor and, where they saw enough of it, one slope: a depth bias stretches
-    the path that a sensor sees. Where the views are too few the belt's velocity decides.
+    The way that tracking told and a polynomial in time upon it, common to all
+    sensors, beside one offset for each sensor and, where they saw enough of it,
+    one slope: a depth bias stretches the path that a sensor sees. Where the
+    views are too few the way that tracking told decides.
     """
     path = np.zeros_like(place_m)
     times = evidence.time_s
     if len(times) < 2 or np.ptp(times) <= 0:
         return path, 0.0
     design = _design(evidence, degree)
-    target = place_m[:, :2] - times[:, None] * velocity_m_s[:2]
+    target = place_m[:, :2] - evidence.way_m[:, :2]
     weight = np.ones(len(times))
     ridge = np.diag([1e-6] * design.shape[1])
     for _ in range(4):
@@ -31,7 +32,7 @@ def carried(evidence: Evidence, place_m: F64, velocity_m_s: F64, degree: int) ->
         scatter = max(float(np.median(distance)), 2e-4)
         weight = 1.0 / (1.0 + (distance / (3.0 * scatter)) ** 2)
     sensors = len(evidence.sensors)
-    path[:, :2] = times[:, None] * velocity_m_s[:2] + design[:, sensors:] @ solution[sensors:]
+    path[:, :2] = evidence.way_m[:, :2] + design[:, sensors:] @ solution[sensors:]
     path -= path.mean(axis=0)
     return path, scatter / 1.18
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from fruitgui.frame import F64
 from fruitgui.geometry.rig import Rig
 from fruitgui.measurement.callipers import Extent, length_and_diameter, perimeter, volume
 from fruitgui.measurement.evidence import Evidence, gather
@@ -54,7 +53,7 @@ def measure(track: Track, rig: Rig) -> Size:
     comes from outlines and heights alone, with a wide standard deviation.
     """
     evidence = gather(track, rig)
-    fit = None if evidence is None else _sound_fit(evidence, track, rig)
+    fit = None if evidence is None else _sound_fit(evidence)
     if evidence is None or fit is None:
         return rough_size(track, rig)
     size = replace(size_of(fit, evidence.sensors), spoilt=float(evidence.spoilt.mean()))
@@ -68,12 +67,12 @@ def measure(track: Track, rig: Rig) -> Size:
 def fit_track(track: Track, rig: Rig) -> Fit | None:
     """Return the closed surface through all views of a fruit, belt frame; None where there is none."""
     evidence = gather(track, rig)
-    return None if evidence is None else _sound_fit(evidence, track, rig)
+    return None if evidence is None else _sound_fit(evidence)
 
 
-def _sound_fit(evidence: Evidence, track: Track, rig: Rig) -> Fit | None:
+def _sound_fit(evidence: Evidence) -> Fit | None:
     try:
-        fit = fit_surface(evidence, rig.belt_frame().turn(track.velocity_m_s))
+        fit = fit_surface(evidence)
     except np.linalg.LinAlgError:
         return None
     return fit if _is_sound(fit) else None
@@ -95,22 +94,21 @@ def _is_sound(fit: Fit) -> bool:
     return bool(np.isfinite(fit.covariance).all() and reach < LARGEST_M / 2.0 and (np.diag(fit.covariance) > 0.0).all())
 
 
-def fit_surface(evidence: Evidence, velocity_m_s: F64, degree: int | None = None) -> Fit:
+def fit_surface(evidence: Evidence, degree: int | None = None) -> Fit:
     """Return the closed surface through all views, coarse to fine: ball, ellipsoid, harmonics.
 
     Args:
         evidence: the views.
-        velocity_m_s: (3,) of the belt, belt frame.
         degree: highest of the harmonics.
     """
     degree = DEGREE if degree is None else degree
     radius = max(0.5 * evidence.height_m, 2e-3)
-    path, _ = carried(evidence, evidence.centre_m, velocity_m_s, degree=1)
+    path, _ = carried(evidence, evidence.centre_m, degree=1)
     few = evidence.thinned(THIN)
     prior = shape_prior(0, COARSE, radius, axis_known=False)
     state = improve(first_state(few, path, FATTENING_PX), few, prior, COARSE_STEPS).state
     prior = shape_prior(degree, FINE, radius, axis_known=True)
-    state = _upon_axes(_along_path(state, evidence, velocity_m_s, 3), degree)
+    state = _upon_axes(_along_path(state, evidence, 3), degree)
     fit = improve(replace(state, along_m=np.zeros(evidence.used.shape)), evidence, prior, FINE_STEPS)
     if not is_restless(fit.state, evidence, prior):
         return fit
@@ -118,10 +116,10 @@ def fit_surface(evidence: Evidence, velocity_m_s: F64, degree: int | None = None
     return improve(fit.state, evidence, turning, FINE_STEPS)
 
 
-def _along_path(state: State, evidence: Evidence, velocity_m_s: F64, degree: int) -> State:
+def _along_path(state: State, evidence: Evidence, degree: int) -> State:
     """Return the state with the path drawn anew through where the views now are."""
     place = state.place_m(evidence)
-    path, _ = carried(evidence, place, velocity_m_s, degree)
+    path, _ = carried(evidence, place, degree)
     centre = state.centre_m.copy()
     centre[:2] = np.median(place - path, axis=0)[:2]
     left = place - centre - path - state.offset_m[evidence.sensor]

@@ -81,27 +81,33 @@ def track_of(
     rig: tuple[dict[str, Pose], Rig] | None = None,
     only: str | None = None,
     wobble_rad: float = 0.0,
+    still_s: float = 0.0,
 ) -> tuple[Track, Rig]:
-    """Return the track of a solid that passes at 0.1 m/s, seen by the sensors in turn, and their rig."""
+    """Return the track of a solid that passes at 0.1 m/s, seen by the sensors in turn, and their rig.
+
+    Halfway the belt stands for `still_s`.
+    """
     rng = np.random.default_rng(seed)
     poses, stand = rig or opposed_rig()
     names = [only] if only else list(poses)
-    sightings = []
+    sightings, centres = [], []
     for number in range(views):
-        time_s = 8.0 * (number + 0.5) / views
+        time_s = (8.0 + still_s) * (number + 0.5) / views
+        moved_s = min(time_s, max(4.0, time_s - still_s))
         name = names[number % len(names)]
         turn = rotation_from_vector(np.array([0.0, wobble_rad * np.sin(2.1 * time_s), 0.0]))
         matrix = solid.matrix @ turn.T
         lifted = float(np.linalg.norm(np.linalg.inv(matrix).T[:, 2]))
-        centre = np.array([0.1 * time_s - 0.4, 0.03, lifted])
+        centre = np.array([0.1 * moved_s - 0.4, 0.03, lifted])
         view = _view(matrix, centre, name, poses[name], number, time_s, noise, fattening_px, rng)
         sightings.append(Sighting(time_s, view))
+        centres.append(centre)
     to_reference = poses["kinect_1"].inverse()
     path = tuple(
-        PathPoint(s.time_s, stand.mounts[s.view.sensor].pose.apply(s.view.centre_m), 1e-5 * np.eye(3))
-        for s in sightings
+        PathPoint(s.time_s, to_reference.apply(centre), 1e-5 * np.eye(3))
+        for s, centre in zip(sightings, centres, strict=True)
     )
-    return Track(1, tuple(sightings), path, to_reference.turn([0.1, 0.0, 0.0])), stand
+    return Track(1, tuple(sightings), path, to_reference.turn([0.8 / (8.0 + still_s), 0.0, 0.0])), stand
 
 
 def _view(
