@@ -22,7 +22,7 @@ from fruitgui.perception.parts import Parts, is_sound, part_contours, unsplit, w
 from fruitgui.perception.relief import Relief, ReliefMaker
 from fruitgui.perception.segment import Groups
 from fruitgui.perception.settings import PerceptionSettings
-from fruitgui.perception.tops import Forest, Tops, basins, every_two, find_tops, lowest_between
+from fruitgui.perception.tops import Forest, Tops, basins, find_tops, lowest_between, near_two
 
 
 class HeightSplitter:
@@ -91,9 +91,9 @@ class HeightSplitter:
 
         Tops are joined in the order of the heights of the ways between them. Two
         stay apart where the way dips too much, or the outline narrows too much,
-        or both do half of it.
+        or both do half of it. Among many tops (a rail has a hundred and more) ways lead to near ones only.
         """
-        first, second = every_two(len(tops.group))
+        first, second = near_two(tops.place)
         saddle, neck = lowest_between((relief.height_m, relief.wide_px), tops.place[first], tops.place[second])
         order = np.argsort(-saddle, kind="stable")
         forest = Forest(tops.height_m, tops.wide_px)

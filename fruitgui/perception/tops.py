@@ -72,6 +72,18 @@ def every_two(count: int) -> tuple[Ints, Ints]:
     return first, second
 
 
+def near_two(place: Ints, most: int = 12) -> tuple[Ints, Ints]:
+    """Return the numbers of every two of T places (T, 2) of which one is among the `most` nearest of the other."""
+    if len(place) <= 2 * most:
+        return every_two(len(place))
+    apart = ((place[:, None] - place[None]) ** 2).sum(axis=2)
+    near = np.argpartition(apart, most, axis=1)[:, : most + 1]
+    own = np.repeat(np.arange(len(place)), most + 1)
+    pairs = np.unique(np.sort(np.stack([own, near.ravel()], axis=1), axis=1), axis=0)
+    pairs = pairs[pairs[:, 0] != pairs[:, 1]]
+    return pairs[:, 0], pairs[:, 1]
+
+
 def lowest_between(maps: tuple[F32, ...], start: Ints, end: Ints, way: F32 = WAY) -> tuple[F64, ...]:
     """Return, for each map, the lowest value (M,) on the straight ways between places (M, 2: row, column)."""
     first, last = (places.T.astype(np.float32) + np.float32(0.5) for places in (start, end))

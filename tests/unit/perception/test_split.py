@@ -11,6 +11,7 @@ from fruitgui.frame import F64, Frame
 from fruitgui.geometry.plane import Plane, Surface
 from fruitgui.perception import Perceiver, PerceptionSettings
 from fruitgui.perception.paper import KMeansSplitter
+from fruitgui.perception.tops import near_two
 from fruitgui.perception.view import FruitView
 from tests.unit.perception.spheres import KINECT, Ball, Table, nearest, perceiver, row_of_balls, views
 
@@ -122,3 +123,15 @@ def test_the_source_splits_two_balls_with_k_means_and_drops_what_is_no_ellipse()
     assert sorted(nearest(table, view) for view in found) == [0, 1]
     four = row_of_balls((0.035,) * 7, 0.0, tilt_rad=0.2)
     assert len(perceiver(four, splitter=KMeansSplitter(eye.limits, settings)).observe(four.frame(), 0.0).views) < 7
+
+
+def test_few_tops_are_all_compared_and_many_with_their_nearest() -> None:
+    few = np.argwhere(np.ones((4, 6), bool))
+    assert len(near_two(few)[0]) == 24 * 23 // 2
+    many = np.argwhere(np.ones((3, 60), bool))
+    first, second = near_two(many)
+    assert (first < second).all()
+    assert len(np.unique(np.stack([first, second]), axis=1).T) == len(first) < 180 * 13
+    # Each is compared with those beside it, so that a whole ridge can grow together.
+    together = set(zip(first.tolist(), second.tolist(), strict=True))
+    assert all((at, at + 1) in together for at in range(59))
