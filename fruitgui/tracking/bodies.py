@@ -1,8 +1,9 @@
 """Things that are no fruit: parts that come and go in the pictures, and are one body.
 
 A hand, a leaf, a spread bunch is not convex: a frame cuts it into parts, the next one does not. Fruit are spared by
-two properties of bodies, whatever the frames say: a fruit that rests on a belt is about as tall as wide, and none is
-smaller than `SMALLEST_M`. Only where neither of two tracks is built like a fruit may they be parts of one body.
+two properties of bodies, whatever the frames say: a fruit that rests on a belt is about as tall as wide, and seldom
+smaller than `SMALLEST_M`. Only where neither of two tracks is built like a fruit may they be parts of one body; smaller
+fruit (cherries, small plums) are joined only if they touch and the frames seldom part them.
 """
 
 from __future__ import annotations
@@ -15,13 +16,13 @@ from fruitgui.tracking.measured import LOOK_STD, distances_m
 from fruitgui.tracking.trail import Trail
 
 SMALLEST_M = 0.035
-"""No fruit is smaller."""
+"""Few fruit are smaller, and fingers are not wider."""
 
 FLAT = 0.6
 """A body lower than this share of its outline's diameter is a slab; the longest fruit, lying, is above 0.75."""
 
 LOWEST_M = 0.03
-"""No fruit's top is lower: the smallest one's, less what heights err by."""
+"""The top of a fruit of that size, less what heights err by."""
 
 THIN_M = 0.025
 """What does not rise so far above the belt is a leaf, a twig, a stalk."""
@@ -77,8 +78,9 @@ def evidence(trail: Trail) -> float:
 
 
 def _bit(trail: Trail) -> bool:
-    """Tell whether a body is smaller than any fruit and thin: the tip of a leaf whose middle lies on the belt."""
-    return trail.size_m < SMALLEST_M and float(trail.looks[0]) < THIN_M
+    """Tell whether a body is small, thin and flat: the tip of a leaf whose middle lies on the belt; a cherry is not."""
+    height_m = float(trail.looks[0])
+    return trail.size_m < SMALLEST_M and height_m < min(THIN_M, FLAT * trail.size_m)
 
 
 def _one_color(first: Trail, second: Trail) -> bool:

@@ -61,6 +61,12 @@ def test_tips_of_a_curled_leaf_are_one_leaf_even_if_always_seen_as_two() -> None
     assert not one_body(tips[0], away, RIG)
 
 
+def test_cherries_side_by_side_are_as_many_as_they_are() -> None:
+    cherries = trail(1, 0.0, 0.024, 0.021), trail(2, 0.03, 0.025, 0.02)
+    frames(*cherries, (20, 20))
+    assert not one_body(*cherries, RIG)
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_fruit_are_never_parts_whatever_the_frames_say(seed: int) -> None:
     rng = np.random.default_rng(seed)
