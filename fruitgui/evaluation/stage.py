@@ -77,9 +77,9 @@ def record_acts(
         jobs = [pool.submit(_record, act, folder) for act in acts]
         try:
             _wait(jobs, progress, cancelled)
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
+        finally:
+            for job in jobs:
+                job.cancel()
 
 
 def _wait(jobs: Sequence[Future[None]], progress: Progress, cancelled: Cancelled) -> None:

@@ -141,8 +141,7 @@ class _Place(NamedTuple):
 
 def gather(track: Track, rig: Rig) -> Evidence | None:
     """Bring the views of a track together over the belt; None where no view has enough points to use."""
-    chosen = [s for s in track.sightings if s.view.sensor in rig.mounts and len(s.view.points_m) >= LEAST_POINTS]
-    chosen = _spread(_clearest(chosen), VIEWS_IN_ALL)
+    chosen = _chosen(track, rig)
     if not chosen:
         return None
     sensors = tuple(sorted({s.view.sensor for s in chosen}))
@@ -162,7 +161,6 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
     times = np.array([s.time_s for s in chosen])
     spoilt = np.array([s.view.shared or not s.view.whole for s in chosen])
     numbers = _indices(track, chosen)
-    path_m = belt.apply(np.array([track.path[number].position_m for number in numbers]))
     times -= 0.5 * (times.min() + times.max())
     return Evidence(
         samples_m=directions + place[:, None, :],
@@ -173,7 +171,7 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
         pixel_m=z / focal[:, None],
         share=_share(used, points, area_px, spoilt),
         time_s=times,
-        way_m=_way(times, path_m, belt.turn(track.velocity_m_s)),
+        way_m=_way(times, numbers, track, belt),
         sensor=sensor,
         sensors=sensors,
         axes=rotation.transpose(0, 2, 1),
@@ -186,20 +184,27 @@ def gather(track: Track, rig: Rig) -> Evidence | None:
     )
 
 
-def _way(time_s: F64, path_m: F64, velocity_m_s: F64) -> F64:
+def _way(time_s: F64, numbers: Ints, track: Track, belt: Pose) -> F64:
     """Return the way (V, 3) that a fruit was carried: at its mean velocity, or its path where the belt was unsteady.
 
     A path is known capture by capture, and so less evenly than a velocity: it is taken only where the belt did what
     no cubic in time can follow.
     """
-    way = time_s[:, None] * velocity_m_s
+    way = time_s[:, None] * belt.turn(track.velocity_m_s)
     if len(time_s) < LEAST_PATH:
         return np.asarray(way)
+    path_m = belt.apply(np.array([track.path[number].position_m for number in numbers]))
     powers = np.vander(time_s / max(float(np.abs(time_s).max()), 1e-9), 4)
     left = path_m - powers @ np.linalg.lstsq(powers, path_m, rcond=None)[0]
     if float(np.sqrt((left[:, :2] ** 2).sum(axis=1).mean())) < UNSTEADY_M:
         return np.asarray(way)
     return np.asarray((path_m - path_m.mean(axis=0)) * (1.0, 1.0, 0.0))
+
+
+def _chosen(track: Track, rig: Rig) -> list[Sighting]:
+    """Return the sightings that are worth being looked at together, spread over the way."""
+    seen = [s for s in track.sightings if s.view.sensor in rig.mounts and len(s.view.points_m) >= LEAST_POINTS]
+    return _spread(_clearest(seen), VIEWS_IN_ALL)
 
 
 def _clearest(sightings: list[Sighting]) -> list[Sighting]:
