@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from importlib import resources
-from pathlib import Path
 from typing import Any
+
+from fruitgui.resources import folder
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,10 +35,5 @@ def paper_preset() -> PaperPreset:
 
 
 def _read(name: str) -> dict[str, Any]:
-    installed = resources.files("fruitgui").joinpath("resources", "presets", name)
-    if installed.is_file():
-        text = installed.read_text(encoding="utf-8")
-    else:
-        text = (Path(__file__).parents[2] / "resources" / "presets" / name).read_text(encoding="utf-8")
-    values: dict[str, Any] = json.loads(text)
+    values: dict[str, Any] = json.loads((folder("presets") / name).read_text(encoding="utf-8"))
     return values

@@ -1,0 +1,1 @@
+"""The operator's window: everything that imports Qt, and nothing that computes."""

@@ -1,0 +1,225 @@
+"""The bar at the bottom: one line on what to do or what happened, and the actions of the screen."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QProgressBar, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+
+from fruitgui.gui.messages import Level, Message
+from fruitgui.gui.steps.page import StepPage
+from fruitgui.gui.tasks import Task
+from fruitgui.gui.theme import icons
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID
+
+SHOWN_MS = 8000
+ICON_PX = 24
+_COLOURS = {Level.INFO: "text_dim", Level.GOOD: "good", Level.WARN: "warn", Level.BAD: "bad"}
+
+
+class ActionButton(QPushButton):
+    """A button that is an action: its words, its state, its key."""
+
+    def __init__(self, action: QAction, theme: Theme, *, main: bool, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._action = action
+        self._theme = theme
+        self._main = main
+        self.setProperty("role", "main" if main else "plain")
+        self.clicked.connect(action.trigger)
+        action.changed.connect(self._follow)
+        theme.changed.connect(self._follow)
+        self._follow()
+
+    def _follow(self) -> None:
+        action, theme = self._action, self._theme
+        self.setText(action.text())
+        self.setEnabled(action.isEnabled())
+        self.setVisible(action.isVisible())
+        key = action.shortcut().toString()
+        tip = action.toolTip() or action.text()
+        self.setToolTip(f"{tip} ({key})" if key else tip)
+        self.setAccessibleName(action.text())
+        name = str(action.property("icon") or "")
+        if name:
+            shown = theme.colour("on_accent" if self._main else "text")
+            self.setIcon(icons.icon(name, shown, theme.colour("text_dim")))
+            self.setIconSize(QSize(20, 20))
+
+
+class ActionBar(QWidget):
+    """Shows the hint and actions of the page in view, the last message, and the job that runs.
+
+    Attributes:
+        closed_message: the operator put a message away.
+    """
+
+    closed_message = Signal()
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._page: StepPage | None = None
+        self._message: Message | None = None
+        self._task: Task[object] | None = None
+        self.setProperty("role", "bar")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._icon, self._text, self._detail = QLabel(self), QLabel(self), QLabel(self)
+        self._bar = QProgressBar(self)
+        self._do = QPushButton(self)
+        self._close = QPushButton(self)
+        self._cancel = QPushButton(self)
+        self._timer = QTimer(self, singleShot=True, interval=SHOWN_MS)
+        self._buttons: list[QWidget] = []
+        self._lay_out()
+        self._timer.timeout.connect(self._forget)
+        self._close.clicked.connect(self._put_away)
+        self._do.clicked.connect(self._act)
+        self._cancel.clicked.connect(self._cancel_task)
+        theme.changed.connect(self._show)
+        self._say_words()
+        self._show()
+
+    def _lay_out(self) -> None:
+        self._text.setWordWrap(True)
+        self._detail.setWordWrap(True)
+        self._detail.setProperty("role", "dim")
+        self._icon.setFixedSize(ICON_PX, ICON_PX)
+        self._bar.setTextVisible(False)
+        self._bar.setRange(0, 1000)
+        for button in (self._do, self._close, self._cancel):
+            button.setProperty("role", "quiet")
+        words = QVBoxLayout()
+        words.setSpacing(2)
+        words.addStretch()
+        words.addWidget(self._text)
+        words.addWidget(self._detail)
+        words.addWidget(self._bar)
+        words.addStretch()
+        self._actions = QHBoxLayout()
+        self._actions.setSpacing(GRID)
+        row = QHBoxLayout()
+        row.setContentsMargins(3 * GRID, GRID, 2 * GRID, GRID)
+        row.setSpacing(2 * GRID)
+        row.addWidget(self._icon)
+        row.addLayout(words, 1)
+        for button in (self._do, self._close, self._cancel):
+            row.addWidget(button)
+        row.addLayout(self._actions)
+        line = QFrame(self)
+        line.setProperty("role", "hairline")
+        line.setFixedHeight(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(line)
+        column.addLayout(row)
+        self.setMinimumHeight(72)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+
+    def follow(self, page: StepPage) -> None:
+        """Show a page's hint and actions from now on."""
+        if self._page is not None:
+            self._page.hint_changed.disconnect(self._show)
+            self._page.actions_changed.disconnect(self._show_actions)
+        self._page = page
+        page.hint_changed.connect(self._show)
+        page.actions_changed.connect(self._show_actions)
+        self._show_actions()
+        self._show()
+
+    def say(self, message: Message) -> None:
+        """Show a message in the place of the hint; a lesser one does not push a standing one away."""
+        standing = self._message is not None and self._message.stays
+        if standing and not message.stays:
+            return
+        self._message = message
+        self._timer.stop()
+        if not message.stays:
+            self._timer.start()
+        self._show()
+
+    def show_task(self, task: Task[object]) -> None:
+        """Show a job's progress until it ends."""
+        self._task = task
+        self._bar.setValue(0)
+        task.progressed.connect(self._show_progress)
+        task.ended.connect(self._task_ended)
+        self._show()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._say_words()
+        super().changeEvent(event)
+
+    def _say_words(self) -> None:
+        self._close.setText(self.tr("Close"))
+        self._cancel.setText(self.tr("Stop"))
+        self._cancel.setToolTip(self.tr("Stop this job; nothing is left half-done (Esc)"))
+        self._cancel.setShortcut(Qt.Key.Key_Escape)
+
+    def _show(self) -> None:
+        message, busy = self._message, self._task is not None
+        level = Level.INFO if message is None else message.level
+        hint = "" if self._page is None else self._page.hint
+        text = hint if message is None else message.what
+        if message is None and busy and self._task is not None:
+            text = self._task.name
+        self._text.setText(text)
+        self._icon.setPixmap(
+            icons.pixmap(level.value, self._theme.colour(_COLOURS[level]), ICON_PX, self.devicePixelRatioF())
+        )
+        self._icon.setAccessibleName(level.value)
+        remedy = "" if message is None else message.remedy
+        self._detail.setVisible(bool(remedy) or (busy and message is None))
+        self._detail.setText(remedy or self._detail.text() if busy else remedy)
+        self._bar.setVisible(busy)
+        self._cancel.setVisible(busy)
+        self._close.setVisible(message is not None and message.stays)
+        self._do.setVisible(message is not None and bool(message.action))
+        self._do.setText("" if message is None else message.action)
+
+    def _show_actions(self) -> None:
+        for button in self._buttons:
+            self._actions.removeWidget(button)
+            button.hide()
+            button.deleteLater()
+        self._buttons = []
+        if self._page is None:
+            return
+        main = self._page.main_action
+        for action in (*self._page.other_actions, *(() if main is None else (main,))):
+            button = ActionButton(action, self._theme, main=action is main, parent=self)
+            self._actions.addWidget(button)
+            self._buttons.append(button)
+
+    def _show_progress(self, share: float, doing: str) -> None:
+        self._bar.setValue(round(share * 1000))
+        self._detail.setText(doing)
+
+    def _task_ended(self) -> None:
+        self._task = None
+        self._detail.setText("")
+        self._show()
+
+    def _cancel_task(self) -> None:
+        if self._task is not None:
+            self._task.cancel()
+            self._detail.setText(self.tr("Stopping …"))
+
+    def _act(self) -> None:
+        act = None if self._message is None else self._message.act
+        self._forget()
+        if act is not None:
+            act()
+
+    def _put_away(self) -> None:
+        self._forget()
+        self.closed_message.emit()
+
+    def _forget(self) -> None:
+        self._timer.stop()
+        self._message = None
+        self._show()

@@ -1,0 +1,120 @@
+"""Starts the window: the only place that knows all of its parts."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtGui import QIcon, QKeySequence, QShortcut
+from PySide6.QtWidgets import QApplication
+
+from fruitgui.gui.gc_confinement import ConfinedCollector
+from fruitgui.gui.logs import Logs
+from fruitgui.gui.pages import make_pages
+from fruitgui.gui.session import Session
+from fruitgui.gui.tasks import unexpected_error
+from fruitgui.gui.theme.theme import Theme, load_fonts
+from fruitgui.gui.translate import Language
+from fruitgui.gui.window import MainWindow
+from fruitgui.resources import folder
+from fruitgui.station.workflow import opening_step
+from fruitgui.station.workspace import open_workspace
+
+WAKE_MS = 200
+"""How often Python gets a look in while Qt waits, so that an interrupt from the keyboard is heard."""
+
+
+class Application(QObject):
+    """One window on one workspace, with everything that lives as long as it does."""
+
+    def __init__(self, qt: QApplication, workspace_folder: Path | None) -> None:
+        super().__init__()
+        self._qt = qt
+        self.session = Session(open_workspace(workspace_folder), self)
+        self.theme = Theme(parent=self)
+        self.language = Language(self)
+        self._logs = Logs(self.session.workspace.folder)
+        self._collector = ConfinedCollector(self)
+        load_fonts()
+        self._dress()
+        self.window = MainWindow(
+            self.theme, self.session.messages, self.session.tasks, make_pages(self.session, self.theme), self._close
+        )
+        self._connect()
+
+    def start(self) -> None:
+        """Show the window and begin to look after things."""
+        self._logs.open(lambda error: self.session.messages.error(unexpected_error(self.tr("the window"), error)))
+        self._collector.start()
+        self._show_states()
+        self.window.go_to(opening_step(self.session.states()))
+        self.window.show()
+        for damage in self.session.damages:
+            self.session.messages.error(damage.error)
+
+    def _close(self) -> bool:
+        """End all that runs; it was saved as it came."""
+        self.session.tasks.close()
+        self._collector.stop()
+        self._logs.close()
+        return True
+
+    def _connect(self) -> None:
+        self.session.settings_changed.connect(self._dress)
+        self.session.states_changed.connect(self._show_states)
+        self.window.top_bar.theme_wanted.connect(self._other_theme)
+        QShortcut(QKeySequence("Ctrl+T"), self.window, self._other_theme)
+        QShortcut(QKeySequence("F11"), self.window, self._full_screen)
+
+    def _dress(self) -> None:
+        settings = self.session.settings
+        theme = settings.theme
+        if theme == "system":
+            light = self._qt.styleHints().colorScheme() == Qt.ColorScheme.Light
+            theme = "light" if light else "dark"
+        self.language.put_on(self._qt, settings.language)
+        self.theme.put_on(self._qt, theme)
+
+    def _other_theme(self) -> None:
+        other = "light" if self.theme.name == "dark" else "dark"
+        self.session.save_settings(self.session.settings.model_copy(update={"theme": other}))
+
+    def _full_screen(self) -> None:
+        if self.window.isFullScreen():
+            self.window.showNormal()
+        else:
+            self.window.showFullScreen()
+
+    def _show_states(self) -> None:
+        self.window.show_states(self.session.states())
+
+
+def run(workspace_folder: Path | None = None) -> int:
+    """Open the window and return the exit code when it is closed.
+
+    Raises:
+        WorldError: the workspace's folder cannot be made.
+    """
+    qt = make_qt()
+    application = Application(qt, workspace_folder)
+    application.start()
+    signal.signal(signal.SIGINT, lambda *_: application.window.close())
+    waker = QTimer(interval=WAKE_MS)
+    waker.timeout.connect(lambda: None)
+    waker.start()
+    return qt.exec()
+
+
+def make_qt() -> QApplication:
+    """Return the process's Qt application, named for the desktop."""
+    existing = QApplication.instance()
+    if isinstance(existing, QApplication):
+        return existing
+    qt = QApplication(sys.argv[:1])
+    qt.setApplicationName("fruitgui")
+    qt.setApplicationDisplayName("fruitgui")
+    qt.setDesktopFileName("fruitgui")
+    qt.setWindowIcon(QIcon(str(folder("icons") / "fruitgui.svg")))
+    return qt

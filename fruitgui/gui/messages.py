@@ -1,0 +1,84 @@
+"""The one door through which the window speaks to the operator."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+
+from PySide6.QtCore import QObject, Signal
+
+from fruitgui.errors import FruitguiError
+
+log = logging.getLogger(__name__)
+
+
+class Level(Enum):
+    """How much a message matters; each has an icon of the same name."""
+
+    INFO = "info"
+    GOOD = "good"
+    WARN = "warn"
+    BAD = "bad"
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """One thing said.
+
+    Attributes:
+        level: how much it matters.
+        what: what happened, and what it means.
+        remedy: what to do; empty where there is nothing to do.
+        action, act: a word on a button, and what it does; for example Undo.
+        stays: until the person has closed it; others go by themselves.
+    """
+
+    level: Level
+    what: str
+    remedy: str = ""
+    action: str = ""
+    act: Callable[[], None] | None = None
+    stays: bool = False
+
+
+class Messages(QObject):
+    """Takes messages from anywhere on the window's thread, and hands them to the action bar.
+
+    Attributes:
+        said: a new `Message`.
+    """
+
+    said = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.history: list[Message] = []
+
+    def say(self, message: Message) -> None:
+        """Say it, and keep it in the history."""
+        self.history = [*self.history[-199:], message]
+        log.log(_WEIGHTS[message.level], "%s %s", message.what, message.remedy)
+        self.said.emit(message)
+
+    def info(self, what: str, action: str = "", act: Callable[[], None] | None = None) -> None:
+        """Say what was done, with a way to undo it where there is one."""
+        self.say(Message(Level.INFO, what, action=action, act=act))
+
+    def good(self, what: str) -> None:
+        """Say that something worked."""
+        self.say(Message(Level.GOOD, what))
+
+    def warn(self, what: str, remedy: str = "", *, stays: bool = False) -> None:
+        """Say what should be looked after."""
+        self.say(Message(Level.WARN, what, remedy, stays=stays))
+
+    def error(self, error: FruitguiError) -> None:
+        """Say what failed and what to do."""
+        self.say(Message(Level.BAD, error.what, error.remedy, stays=True))
+
+
+_WEIGHTS = {
+    Level.INFO: logging.INFO, Level.GOOD: logging.INFO, Level.WARN: logging.WARNING, Level.BAD: logging.ERROR,
+}  # fmt: skip

@@ -1,0 +1,19 @@
+"""The seven screens, put together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from fruitgui.gui.session import Session
+from fruitgui.gui.steps.page import StepPage
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.station.workflow import Step
+
+PageMaker = Callable[[Session, Theme], StepPage]
+
+MAKERS: Mapping[Step, PageMaker] = {}
+
+
+def make_pages(session: Session, theme: Theme) -> dict[Step, StepPage]:
+    """Return a page for every step."""
+    return {step: MAKERS[step](session, theme) for step in Step}

@@ -1,0 +1,125 @@
+"""What the window works on: one line's folder, what is set, and how far each step is."""
+
+from __future__ import annotations
+
+from typing import TypeVar
+
+from PySide6.QtCore import QObject, Signal
+
+from fruitgui.errors import FruitguiError
+from fruitgui.gui.messages import Messages
+from fruitgui.gui.tasks import TaskRunner
+from fruitgui.station.connection import Connection
+from fruitgui.station.facts import facts_of
+from fruitgui.station.kept_file import Damage, Kept, KeptFile
+from fruitgui.station.settings import Settings
+from fruitgui.station.station import Station
+from fruitgui.station.workflow import Facts, Step, StepState, step_states
+from fruitgui.station.workflow_file import Marks
+from fruitgui.station.workspace import Workspace
+
+T = TypeVar("T")
+
+
+class Session(QObject):
+    """The files of one line as the window holds them; every change is saved before it is told.
+
+    Attributes:
+        messages, tasks: the window's one voice, and its one runner of long jobs.
+        settings_changed, connection_changed, station_changed: that file was saved.
+        states_changed: a step may have another state now.
+        damages: files that could not be read at the start; each lies aside, unharmed.
+    """
+
+    settings_changed = Signal()
+    connection_changed = Signal()
+    station_changed = Signal()
+    states_changed = Signal()
+
+    def __init__(self, workspace: Workspace, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.workspace = workspace
+        self.messages = Messages(self)
+        self.tasks = TaskRunner(self)
+        self.damages: list[Damage] = []
+        self._settings = self._taken(workspace.settings.load()) or Settings()
+        self._connection = self._taken(workspace.connection.load())
+        self._station = self._taken(workspace.station.load())
+        self._marks = self._taken(workspace.marks.load()) or Marks()
+
+    @property
+    def settings(self) -> Settings:
+        """What a person set."""
+        return self._settings
+
+    @property
+    def connection(self) -> Connection | None:
+        """What the line is connected to."""
+        return self._connection
+
+    @property
+    def station(self) -> Station | None:
+        """What setting up made."""
+        return self._station
+
+    @property
+    def marks(self) -> Marks:
+        """Which step was done with what."""
+        return self._marks
+
+    def save_settings(self, settings: Settings) -> None:
+        """Keep settings."""
+        if self._saved(self.workspace.settings, settings):
+            self._settings = settings
+            self.settings_changed.emit()
+
+    def save_connection(self, connection: Connection) -> None:
+        """Keep what the line is connected to."""
+        if self._saved(self.workspace.connection, connection):
+            self._connection = connection
+            self.connection_changed.emit()
+            self.states_changed.emit()
+
+    def save_station(self, station: Station) -> None:
+        """Keep a station; the one before it can be taken back."""
+        if self._saved(self.workspace.station, station):
+            self._station = station
+            self.station_changed.emit()
+            self.states_changed.emit()
+
+    def take_back_station(self) -> None:
+        """Return to the station before the last change; doing it again undoes this."""
+        try:
+            self._station = self.workspace.station.restore()
+        except FruitguiError as error:
+            self.messages.error(error)
+            return
+        self.station_changed.emit()
+        self.states_changed.emit()
+
+    def save_marks(self, marks: Marks) -> None:
+        """Keep which step was done with what."""
+        if self._saved(self.workspace.marks, marks):
+            self._marks = marks
+            self.states_changed.emit()
+
+    def facts(self) -> Facts:
+        """Return what exists, as far as the files tell."""
+        return facts_of(self._connection, self._station, self._marks)
+
+    def states(self) -> dict[Step, StepState]:
+        """Return how far each step is."""
+        return dict(step_states(self.facts()))
+
+    def _taken(self, kept: Kept[T]) -> T | None:
+        if kept.damage is not None:
+            self.damages.append(kept.damage)
+        return kept.value
+
+    def _saved(self, file: KeptFile[T], value: T) -> bool:
+        try:
+            file.save(value)
+        except FruitguiError as error:
+            self.messages.error(error)
+            return False
+        return True

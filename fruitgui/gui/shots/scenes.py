@@ -1,0 +1,7 @@
+"""The list of scenes; every step adds its own."""
+
+from __future__ import annotations
+
+from fruitgui.gui.shots.stage import Scene
+
+SCENES: tuple[Scene, ...] = ()

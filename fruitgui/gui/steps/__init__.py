@@ -1,0 +1,1 @@
+"""The seven screens, one folder each."""

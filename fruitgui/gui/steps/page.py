@@ -1,0 +1,62 @@
+"""What every screen has in common: a hint for the action bar, one main action, and some others."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QWidget
+
+
+class StepPage(QWidget):
+    """One of the seven screens.
+
+    A page makes its actions once and enables, disables or renames them as things change; the action bar follows. It
+    is told when it comes into view and when it leaves, so that it draws and polls only while it is looked at.
+
+    Attributes:
+        hint_changed: another sentence is to be shown in the action bar.
+        actions_changed: another set of actions is to be shown there.
+    """
+
+    hint_changed = Signal(str)
+    actions_changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "ground")
+        self._hint = ""
+        self._main: QAction | None = None
+        self._others: tuple[QAction, ...] = ()
+
+    @property
+    def hint(self) -> str:
+        """What to do next, or what is going on: one sentence."""
+        return self._hint
+
+    @property
+    def main_action(self) -> QAction | None:
+        """The one action that the operator most likely wants."""
+        return self._main
+
+    @property
+    def other_actions(self) -> tuple[QAction, ...]:
+        """Further actions of this screen, the most likely last (next to the main one)."""
+        return self._others
+
+    def say(self, hint: str) -> None:
+        """Set the sentence of the action bar."""
+        if hint != self._hint:
+            self._hint = hint
+            self.hint_changed.emit(hint)
+
+    def offer(self, main: QAction | None, *others: QAction) -> None:
+        """Set the actions."""
+        if (main, others) != (self._main, self._others):
+            self._main, self._others = main, others
+            self.actions_changed.emit()
+
+    def entered(self) -> None:
+        """Come into view; overridden by pages that draw or poll."""
+
+    def left(self) -> None:
+        """Leave the view; overridden by pages that draw or poll."""

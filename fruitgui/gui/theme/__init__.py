@@ -1,0 +1,1 @@
+"""How the window looks: colours, sizes, type, icons and the marks of kinds, all from here."""

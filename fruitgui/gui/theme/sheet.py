@@ -1,0 +1,110 @@
+"""The one style sheet of the window, made from the tokens."""
+
+from __future__ import annotations
+
+from string import Template
+
+from fruitgui.gui.theme.tokens import RADIUS, TOUCH, Colours, TypeScale
+
+_SHEET = Template(
+    """
+* { outline: 0; }
+QWidget { color: $text; font-size: ${body}px; }
+QMainWindow, QDialog, QWidget[role="ground"] { background: $ground; }
+QWidget[role="bar"] { background: $surface; border: 0 solid $line; }
+QFrame[role="card"] { background: $surface; border: 1px solid $line; border-radius: ${radius}px; }
+QFrame[role="raised"] { background: $raised; border: 0; border-radius: ${radius}px; }
+QFrame[role="picture"] { background: $picture; border: 0; border-radius: ${radius}px; }
+QFrame[role="hairline"] { background: $line; border: 0; }
+QLabel { background: transparent; }
+QLabel[role="page"] { font-size: ${page}px; font-weight: 600; }
+QLabel[role="title"] { font-size: ${title}px; font-weight: 600; }
+QLabel[role="strong"] { font-weight: 600; }
+QLabel[role="dim"] { color: $text_dim; }
+QLabel[role="small"] { color: $text_dim; font-size: ${small}px; }
+QLabel[role="figure"] { font-size: ${figure}px; font-weight: 600; }
+QLabel[health="good"] { color: $good; }
+QLabel[health="warn"] { color: $warn; }
+QLabel[health="bad"] { color: $bad; }
+
+QPushButton, QToolButton, QComboBox {
+    background: $raised; border: 1px solid $line; border-radius: 8px;
+    min-height: ${inner}px; padding: 0 16px;
+}
+QToolButton { padding: 0 10px; }
+QPushButton:hover, QToolButton:hover, QComboBox:hover { border-color: $text_dim; }
+QPushButton:pressed, QToolButton:pressed { background: $line; }
+QPushButton:checked, QToolButton:checked { background: $raised; border-color: $accent; color: $accent; }
+QPushButton:focus, QToolButton:focus, QComboBox:focus, QLineEdit:focus, QAbstractSpinBox:focus,
+QTextEdit:focus, QPlainTextEdit:focus { border: 2px solid $accent; }
+QPushButton:disabled, QToolButton:disabled { color: $text_dim; background: $ground; border-color: $line; }
+QPushButton[role="main"] { background: $accent; color: $on_accent; border-color: $accent; font-weight: 600; }
+QPushButton[role="main"]:hover { border-color: $text; }
+QPushButton[role="main"]:focus { border: 2px solid $text; }
+QPushButton[role="main"]:disabled { background: $raised; color: $text_dim; border-color: $line; }
+QPushButton[role="quiet"], QToolButton[role="quiet"] { background: transparent; border-color: transparent; }
+QPushButton[role="quiet"]:hover, QToolButton[role="quiet"]:hover { background: $raised; }
+QPushButton[role="quiet"]:focus, QToolButton[role="quiet"]:focus { border: 2px solid $accent; }
+QPushButton[role="danger"] { color: $bad; }
+
+QLineEdit, QAbstractSpinBox, QTextEdit, QPlainTextEdit {
+    background: $raised; border: 1px solid $line; border-radius: 8px; min-height: ${inner}px; padding: 0 10px;
+    selection-background-color: $accent; selection-color: $on_accent;
+}
+QTextEdit, QPlainTextEdit { padding: 8px; }
+QComboBox::drop-down { border: 0; width: 28px; }
+QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;
+    selection-color: $on_accent; }
+QCheckBox, QRadioButton { spacing: 10px; min-height: ${inner}px; background: transparent; }
+QCheckBox::indicator, QRadioButton::indicator { width: 22px; height: 22px; border: 2px solid $text_dim;
+    background: $raised; }
+QCheckBox::indicator { border-radius: 5px; }
+QRadioButton::indicator { border-radius: 13px; }
+QCheckBox::indicator:checked, QRadioButton::indicator:checked { background: $accent; border-color: $accent; }
+QCheckBox:focus, QRadioButton:focus { color: $accent; }
+QSlider::groove:horizontal { height: 6px; background: $line; border-radius: 3px; }
+QSlider::sub-page:horizontal { background: $accent; border-radius: 3px; }
+QSlider::handle:horizontal { width: 28px; height: 28px; margin: -11px 0; border-radius: 14px; background: $accent; }
+QSlider::handle:horizontal:focus { border: 3px solid $text; }
+QSlider { min-height: ${touch}px; background: transparent; }
+QProgressBar { background: $line; border: 0; border-radius: 4px; max-height: 8px; min-height: 8px; }
+QProgressBar::chunk { background: $accent; border-radius: 4px; }
+
+QListView, QTreeView, QTableView, QScrollArea { background: transparent; border: 0;
+    alternate-background-color: $raised; }
+QAbstractScrollArea > QWidget > QWidget[role="scrolled"] { background: transparent; }
+QTableView, QTreeView, QListView { gridline-color: $line; selection-background-color: $raised;
+    selection-color: $text; }
+QHeaderView { background: transparent; border: 0; }
+QHeaderView::section { background: transparent; color: $text_dim; border: 0; border-bottom: 1px solid $line;
+    padding: 8px; font-size: ${small}px; }
+QTableView::item, QTreeView::item, QListView::item { padding: 6px; border: 0; }
+QTableView::item:focus, QListView::item:focus, QTreeView::item:focus { border: 2px solid $accent; }
+QScrollBar:vertical { background: transparent; width: 14px; }
+QScrollBar:horizontal { background: transparent; height: 14px; }
+QScrollBar::handle { background: $line; border-radius: 5px; min-height: 40px; min-width: 40px; margin: 2px; }
+QScrollBar::handle:hover { background: $text_dim; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QTabBar { background: transparent; }
+QTabBar::tab { background: transparent; border: 0; border-bottom: 3px solid transparent; padding: 10px 16px;
+    min-height: 24px; color: $text_dim; }
+QTabBar::tab:selected { color: $text; border-bottom-color: $accent; }
+QTabBar::tab:focus { color: $accent; }
+QTabWidget::pane { border: 0; }
+QToolTip { background: $raised; color: $text; border: 1px solid $line; padding: 6px; }
+QMenu { background: $surface; border: 1px solid $line; padding: 6px; }
+QMenu::item { padding: 10px 24px; border-radius: 6px; }
+QMenu::item:selected { background: $raised; }
+QSplitter::handle { background: transparent; }
+
+QAbstractButton[role="step"] { background: transparent; border: 0; }
+"""
+)
+
+
+def style_sheet(colours: Colours, scale: TypeScale) -> str:
+    """Return the style sheet of a theme."""
+    words = {name: getattr(colours, name) for name in Colours.__dataclass_fields__}
+    words |= {name: getattr(scale, name) for name in TypeScale.__dataclass_fields__}
+    return _SHEET.substitute(words, radius=RADIUS, touch=TOUCH, inner=TOUCH - 4)

@@ -1,0 +1,136 @@
+"""The bar at the top: which line and lot, whether all is well, and the way to help and settings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from fruitgui.gui.theme import icons
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID
+
+
+@dataclass(frozen=True, slots=True)
+class Pill:
+    """A short word on the health of something.
+
+    Attributes:
+        name: of what; stable. icon: its drawing. text: what is shown. health: `good`, `warn`, `bad`, or none.
+        tip: the whole sentence.
+    """
+
+    name: str
+    icon: str
+    text: str
+    health: str = ""
+    tip: str = ""
+
+
+class TopBar(QWidget):
+    """Title, health pills, help, theme, settings.
+
+    Attributes:
+        pill_pressed: name of the pill that the operator pressed.
+        help_wanted, theme_wanted, settings_wanted: a button was pressed.
+    """
+
+    pill_pressed = Signal(str)
+    help_wanted = Signal()
+    theme_wanted = Signal()
+    settings_wanted = Signal()
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._shown: tuple[Pill, ...] = ()
+        self.setProperty("role", "bar")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._title, self._lot = QLabel(self), QLabel(self)
+        self._title.setProperty("role", "title")
+        self._lot.setProperty("role", "dim")
+        self._pills: dict[str, QToolButton] = {}
+        self._pill_row = QHBoxLayout()
+        self._pill_row.setSpacing(GRID // 2)
+        self._tools = {name: QToolButton(self) for name in ("theme", "settings", "help")}
+        for name, wanted in zip(self._tools, (self.theme_wanted, self.settings_wanted, self.help_wanted), strict=True):
+            self._tools[name].clicked.connect(wanted)
+        self._lay_out()
+        theme.changed.connect(self._draw)
+        self._say_words()
+        self._draw()
+
+    def _lay_out(self) -> None:
+        row = QHBoxLayout()
+        row.setContentsMargins(3 * GRID, GRID, GRID, GRID)
+        row.setSpacing(2 * GRID)
+        row.addWidget(self._title)
+        row.addWidget(self._lot, 1)
+        row.addLayout(self._pill_row)
+        for tool in self._tools.values():
+            tool.setProperty("role", "quiet")
+            tool.setIconSize(QSize(22, 22))
+            row.addWidget(tool)
+        row.setSpacing(GRID)
+        line = QFrame(self)
+        line.setProperty("role", "hairline")
+        line.setFixedHeight(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(row)
+        column.addWidget(line)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    def show_place(self, title: str, lot: str) -> None:
+        """Show the line's name and the lot that runs."""
+        self._title.setText(title)
+        self._lot.setText(lot)
+
+    def show_pills(self, pills: tuple[Pill, ...]) -> None:
+        """Show these pills, in this order."""
+        if pills == self._shown:
+            return
+        if [pill.name for pill in pills] != [pill.name for pill in self._shown]:
+            self._make_pills(pills)
+        self._shown = pills
+        self._draw()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._say_words()
+        super().changeEvent(event)
+
+    def _make_pills(self, pills: tuple[Pill, ...]) -> None:
+        for button in self._pills.values():
+            self._pill_row.removeWidget(button)
+            button.hide()
+            button.deleteLater()
+        self._pills = {pill.name: QToolButton(self) for pill in pills}
+        for name, button in self._pills.items():
+            button.setProperty("role", "quiet")
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            button.clicked.connect(lambda _checked=False, name=name: self.pill_pressed.emit(name))
+            self._pill_row.addWidget(button)
+
+    def _draw(self) -> None:
+        for pill in self._shown:
+            button = self._pills[pill.name]
+            button.setText(pill.text)
+            button.setToolTip(pill.tip or pill.text)
+            button.setAccessibleName(pill.tip or pill.text)
+            button.setIcon(icons.icon(pill.icon, self._theme.colour(pill.health or "text_dim")))
+        for name, tool in self._tools.items():
+            tool.setIcon(icons.icon(name, self._theme.colour("text_dim")))
+
+    def _say_words(self) -> None:
+        words = {
+            "theme": self.tr("Light or dark (Ctrl+T)"),
+            "settings": self.tr("Settings (Ctrl+,)"),
+            "help": self.tr("Help (F1)"),
+        }
+        for name, text in words.items():
+            self._tools[name].setToolTip(text)
+            self._tools[name].setAccessibleName(text)

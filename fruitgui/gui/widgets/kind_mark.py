@@ -1,0 +1,102 @@
+"""The mark of a kind: colour, shape and letter."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPaintEvent, QPen, QPixmap, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from fruitgui.gui.theme.kinds import KindMark, Shape
+from fruitgui.gui.theme.theme import FAMILY
+
+INK = QColor("#0b0e10")
+_CORNERS = {Shape.TRIANGLE: 3, Shape.SQUARE: 4, Shape.DIAMOND: 4, Shape.PENTAGON: 5, Shape.HEXAGON: 6}
+_TURN = {Shape.SQUARE: math.pi / 4.0, Shape.HEXAGON: math.pi / 6.0}
+
+
+def paint_mark(painter: QPainter, place: QRectF, mark: KindMark) -> None:
+    """Draw a mark into a place, as large as it fits."""
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    side = min(place.width(), place.height())
+    box = QRectF(0, 0, side, side)
+    box.moveCenter(place.center())
+    colour = QColor(mark.colour)
+    ring = mark.shape is Shape.RING
+    painter.setPen(QPen(colour, max(side / 10.0, 1.5)) if ring else Qt.PenStyle.NoPen)
+    painter.setBrush(Qt.BrushStyle.NoBrush if ring else colour)
+    painter.drawPath(_path(mark.shape, box.adjusted(side * 0.06, side * 0.06, -side * 0.06, -side * 0.06)))
+    painter.setPen(colour if ring else INK)
+    font = QFont(FAMILY)
+    narrow = mark.shape is Shape.TRIANGLE or len(mark.letters) > 1
+    font.setPixelSize(max(round(side * (0.36 if narrow else 0.46)), 6))
+    font.setWeight(QFont.Weight.DemiBold)
+    painter.setFont(font)
+    low = side * 0.12 if mark.shape is Shape.TRIANGLE else 0.0
+    painter.drawText(box.translated(0, low), Qt.AlignmentFlag.AlignCenter, mark.letters)
+    painter.restore()
+
+
+def mark_pixmap(mark: KindMark, size_px: int, ratio: float = 1.0) -> QPixmap:
+    """Return a mark as a picture."""
+    drawn = QPixmap(round(size_px * ratio), round(size_px * ratio))
+    drawn.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(drawn)
+    paint_mark(painter, QRectF(drawn.rect()), mark)
+    painter.end()
+    drawn.setDevicePixelRatio(ratio)
+    return drawn
+
+
+class KindMarkView(QWidget):
+    """A mark as a widget."""
+
+    def __init__(self, mark: KindMark, size_px: int = 28, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._mark = mark
+        self._size_px = size_px
+        self.setFixedSize(QSize(size_px, size_px))
+        self.setAccessibleName(mark.kind)
+
+    def show_mark(self, mark: KindMark) -> None:
+        """Show another mark."""
+        self._mark = mark
+        self.setAccessibleName(mark.kind)
+        self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
+        """Draw it."""
+        painter = QPainter(self)
+        paint_mark(painter, QRectF(self.rect()), self._mark)
+        painter.end()
+
+
+def _path(shape: Shape, box: QRectF) -> QPainterPath:
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.WindingFill)
+    if shape in (Shape.CIRCLE, Shape.RING):
+        path.addEllipse(box)
+    elif shape is Shape.CROSS:
+        third = box.width() / 3.0
+        path.addRect(box.adjusted(third * 0.8, 0, -third * 0.8, 0))
+        path.addRect(box.adjusted(0, third * 0.8, 0, -third * 0.8))
+    elif shape is Shape.STAR:
+        path.addPolygon(_ring(box, 10, 0.0, 0.62))
+    else:
+        grown = box.adjusted(-2, -2, 2, 2) if shape is Shape.SQUARE else box
+        path.addPolygon(_ring(grown, _CORNERS[shape], _TURN.get(shape, 0.0), 1.0))
+    path.closeSubpath()
+    return path
+
+
+def _ring(box: QRectF, corners: int, turn: float, inner: float) -> QPolygonF:
+    """Return corners round a box, every second one drawn in by `inner`."""
+    middle, radius = box.center(), box.width() / 2.0
+    points = []
+    for number in range(corners):
+        angle = turn + 2.0 * math.pi * number / corners - math.pi / 2.0
+        far = radius * (inner if number % 2 and inner < 1.0 else 1.0)
+        points.append(QPointF(middle.x() + far * math.cos(angle), middle.y() + far * math.sin(angle)))
+    return QPolygonF(points)

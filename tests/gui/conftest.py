@@ -1,0 +1,56 @@
+"""What every test of the window gets: Qt without a screen, the look, and a check that nothing is left behind."""
+
+from __future__ import annotations
+
+import gc
+import os
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from fruitgui.gui.session import Session
+from fruitgui.gui.theme.theme import Theme, load_fonts
+from fruitgui.station.workspace import open_workspace
+
+
+@pytest.fixture(scope="session")
+def qapp_args() -> list[str]:
+    return ["fruitgui-tests"]
+
+
+@pytest.fixture
+def theme(qapp: QApplication) -> Theme:
+    load_fonts()
+    look = Theme("dark")
+    look.put_on(qapp)
+    return look
+
+
+@pytest.fixture
+def session(qtbot: QtBot, tmp_path: Path) -> Iterator[Session]:
+    made = Session(open_workspace(tmp_path / "line"))
+    yield made
+    assert made.tasks.close(), "a long job did not end"
+    qtbot.waitUntil(lambda: not made.tasks.running)
+    made.deleteLater()
+
+
+@pytest.fixture(autouse=True)
+def nothing_left(qapp: QApplication) -> Iterator[None]:
+    """Fail a test that leaves a window or a thread behind."""
+    threads, windows = set(threading.enumerate()), set(map(id, qapp.topLevelWidgets()))
+    yield
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
+    QCoreApplication.processEvents()
+    left = [thread.name for thread in threading.enumerate() if thread not in threads and thread.is_alive()]
+    assert not left, f"threads are left: {left}"
+    shown = [one for one in qapp.topLevelWidgets() if id(one) not in windows and one.isVisible()]
+    assert not shown, f"windows are left: {shown}"

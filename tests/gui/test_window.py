@@ -1,0 +1,104 @@
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QPushButton
+from pytestqt.qtbot import QtBot
+
+from fruitgui.gui.action_bar import ActionButton
+from fruitgui.gui.session import Session
+from fruitgui.gui.steps.page import StepPage
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import TOUCH
+from fruitgui.gui.window import MainWindow
+from fruitgui.station.workflow import Facts, Step, step_states
+
+
+class _Page(StepPage):
+    def __init__(self) -> None:
+        super().__init__()
+        self.seen: list[str] = []
+
+    def entered(self) -> None:
+        self.seen.append("entered")
+
+    def left(self) -> None:
+        self.seen.append("left")
+
+
+@pytest.fixture
+def window(qtbot: QtBot, session: Session, theme: Theme) -> Iterator[MainWindow]:
+    made = MainWindow(theme, session.messages, session.tasks, {step: _Page() for step in Step})
+    qtbot.addWidget(made)
+    made.go_to(Step.CONNECT)
+    made.show()
+    made.activateWindow()
+    qtbot.waitUntil(made.isActiveWindow)
+    return made
+
+
+def _buttons(window: MainWindow) -> list[ActionButton]:
+    return [one for one in window.action_bar.findChildren(ActionButton) if one.isVisible()]
+
+
+def test_a_page_is_told_when_it_comes_and_when_it_goes(qtbot: QtBot, window: MainWindow) -> None:
+    first, second = window.page(Step.CONNECT), window.page(Step.LOTS)
+    assert isinstance(first, _Page)
+    assert isinstance(second, _Page)
+    qtbot.mouseClick(window.rail.buttons[Step.LOTS], Qt.MouseButton.LeftButton)
+    assert window.step is Step.LOTS
+    assert (first.seen, second.seen) == (["entered", "left"], ["entered"])
+    window.close()
+    assert second.seen == ["entered", "left"]
+
+
+def test_keys_walk_the_steps(qtbot: QtBot, window: MainWindow) -> None:
+    qtbot.keyClick(window, Qt.Key.Key_3, Qt.KeyboardModifier.AltModifier)
+    qtbot.waitUntil(lambda: window.step is Step.BELT)
+    qtbot.keyClick(window, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: window.step is Step.TEACH)
+
+
+def test_the_action_bar_does_what_the_page_offers(qtbot: QtBot, window: MainWindow) -> None:
+    page, done = window.page(Step.CONNECT), []
+    main, other = QAction("Calibrate", page), QAction("Undo", page)
+    main.triggered.connect(lambda: done.append("main"))
+    page.offer(main, other)
+    page.say("Put fruit on the belt.")
+    assert [one.text() for one in _buttons(window)] == ["Undo", "Calibrate"]
+    qtbot.mouseClick(_buttons(window)[-1], Qt.MouseButton.LeftButton)
+    assert done == ["main"]
+    main.setEnabled(False)
+    assert not _buttons(window)[-1].isEnabled()
+
+
+def test_a_standing_error_is_not_pushed_away_by_a_lesser_word(
+    qtbot: QtBot, session: Session, window: MainWindow
+) -> None:
+    session.messages.warn("Sensor kinect_2 is silent.", "Check its cable.", stays=True)
+    session.messages.info("Saved.")
+    shown = [one.text() for one in window.action_bar.findChildren(type(window.action_bar._text))]
+    assert "Sensor kinect_2 is silent." in shown
+    assert "Check its cable." in shown
+    close = next(one for one in window.action_bar.findChildren(QPushButton) if one.text() == "Close")
+    with qtbot.waitSignal(window.action_bar.closed_message):
+        qtbot.mouseClick(close, Qt.MouseButton.LeftButton)
+    assert not close.isVisible()
+
+
+def test_the_rail_says_how_far_each_step_is(window: MainWindow) -> None:
+    window.show_states(step_states(Facts(sensors={"kinect_1": "A1"}, reference="kinect_1")))
+    names = [button.accessibleName() for button in window.rail.buttons.values()]
+    assert names[:3] == ["1. Connect: done", "2. Calibrate: ready", "3. Belt: to do"]
+    assert "Calibrate" in window.rail.buttons[Step.BELT].toolTip()
+
+
+def test_everything_that_is_pressed_is_large_enough_for_a_glove(window: MainWindow) -> None:
+    page = window.page(Step.CONNECT)
+    page.offer(QAction("Calibrate", page))
+    for button in window.findChildren(QPushButton):
+        if button.isVisible():
+            assert min(button.height(), TOUCH) >= 40
