@@ -1,0 +1,18 @@
+"""Connected sensors running: a thread each, their newest frames, their health, and queues of what they give."""
+
+from fruitgui.sensors.feed.feed import Feed
+from fruitgui.sensors.feed.health import Running, SensorHealth
+from fruitgui.sensors.feed.order import ByArrival, ByCapture
+from fruitgui.sensors.feed.subscription import Arrival, DropOldest, Subscription, WaitForRoom
+
+__all__ = [
+    "Arrival",
+    "ByArrival",
+    "ByCapture",
+    "DropOldest",
+    "Feed",
+    "Running",
+    "SensorHealth",
+    "Subscription",
+    "WaitForRoom",
+]

@@ -1,0 +1,101 @@
+"""Connected sensors running."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Sequence
+
+from fruitgui.frame import Frame
+from fruitgui.sensors.feed.health import Running, SensorHealth
+from fruitgui.sensors.feed.order import Order
+from fruitgui.sensors.feed.reader import Ears, Reader
+from fruitgui.sensors.feed.subscription import Arrival, DropOldest, Room, Subscription
+from fruitgui.sensors.sensor import Sensor, SensorInfo
+
+STOP_S = 2.0
+"""Stopping takes no longer, whatever the drivers do."""
+
+
+class Feed:
+    """Runs sensors, one thread each, from `start` to `stop`; one owner calls both.
+
+    Constructing starts nothing. Everything else may be called from any thread and never waits.
+    """
+
+    def __init__(self, sensors: Sequence[Sensor]) -> None:
+        """Prepare.
+
+        Raises:
+            ValueError: two sensors have one name.
+        """
+        self.infos: dict[str, SensorInfo] = {sensor.info.sensor: sensor.info for sensor in sensors}
+        if len(self.infos) != len(sensors):
+            raise ValueError("two sensors have one name")
+        ears = Ears(self._hear, self._miss)
+        self._readers = {sensor.info.sensor: Reader(sensor, ears) for sensor in sensors}
+        self._subscriptions: tuple[Subscription, ...] = ()
+        self._lock = threading.Lock()
+        self._stopped = False
+
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """The sensors' names, in order."""
+        return tuple(self._readers)
+
+    def start(self) -> None:
+        """Start every sensor. Once only: a stopped feed is not started again, make a new one."""
+        for reader in self._readers.values():
+            reader.start()
+
+    def stop(self) -> tuple[str, ...]:
+        """Stop every sensor within two seconds; return the names of those whose driver hangs and was left behind."""
+        until_s = time.monotonic() + STOP_S
+        with self._lock:
+            self._stopped = True
+            subscriptions = self._subscriptions
+        for reader in self._readers.values():
+            reader.ask_to_stop()
+        for subscription in subscriptions:
+            subscription.close()
+        return tuple(name for name, one in self._readers.items() if not one.wait(until_s - time.monotonic()))
+
+    def newest(self, sensor: str) -> Frame | None:
+        """Return a sensor's newest frame; None before its first. Raises `KeyError` for a name that is not here."""
+        return self._readers[sensor].newest
+
+    def health(self, sensor: str) -> SensorHealth:
+        """Return how a sensor is. Raises `KeyError` for a name that is not here."""
+        return self._readers[sensor].health()
+
+    @property
+    def ended(self) -> bool:
+        """Whether every sensor has given its last frame."""
+        return all(reader.health().state is Running.ENDED for reader in self._readers.values())
+
+    def subscribe(self, room: Room | int, order: Order | None = None) -> Subscription:
+        """Return a queue of all frames from now on; close it when done.
+
+        Args:
+            room: frames kept of each sensor while the oldest give way, or what else happens where they do not fit.
+            order: in which they leave; as they came unless given.
+        """
+        subscription = Subscription(self.sensors, DropOldest(room) if isinstance(room, int) else room, order)
+        with self._lock:
+            kept = tuple(one for one in self._subscriptions if not one.closed)
+            self._subscriptions = (*kept, subscription)
+            stopped = self._stopped
+        for name, reader in self._readers.items():
+            if reader.health().state is Running.ENDED:
+                subscription.absent(name)
+        if stopped:
+            subscription.close()
+        return subscription
+
+    def _hear(self, arrival: Arrival) -> None:
+        for subscription in self._subscriptions:
+            subscription.put(arrival)
+
+    def _miss(self, sensor: str) -> None:
+        for subscription in self._subscriptions:
+            subscription.absent(sensor)
