@@ -8,12 +8,14 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QIcon, QKeySequence, QShortcut
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog
 
 from fruitgui.gui.gc_confinement import ConfinedCollector
+from fruitgui.gui.help_window import HelpWindow
 from fruitgui.gui.logs import Logs
 from fruitgui.gui.pages import make_pages
 from fruitgui.gui.session import Session
+from fruitgui.gui.settings_dialog import SettingsDialog
 from fruitgui.gui.tasks import unexpected_error
 from fruitgui.gui.theme.theme import Theme, load_fonts
 from fruitgui.gui.translate import Language
@@ -37,6 +39,8 @@ class Application(QObject):
         self.language = Language(self)
         self._logs = Logs(self.session.workspace.folder)
         self._collector = ConfinedCollector(self)
+        self._help: HelpWindow | None = None
+        self._settings: SettingsDialog | None = None
         load_fonts()
         self._dress()
         self.window = MainWindow(
@@ -57,6 +61,7 @@ class Application(QObject):
     def _close(self) -> bool:
         """End all that runs; it was saved as it came."""
         self.session.tasks.close()
+        self.session.connected.stop()
         self._collector.stop()
         self._logs.close()
         return True
@@ -64,7 +69,12 @@ class Application(QObject):
     def _connect(self) -> None:
         self.session.settings_changed.connect(self._dress)
         self.session.states_changed.connect(self._show_states)
-        self.window.top_bar.theme_wanted.connect(self._other_theme)
+        bar = self.window.top_bar
+        bar.theme_wanted.connect(self._other_theme)
+        bar.settings_wanted.connect(self._show_settings)
+        bar.help_wanted.connect(self._show_help)
+        QShortcut(QKeySequence("Ctrl+,"), self.window, self._show_settings)
+        QShortcut(QKeySequence("F1"), self.window, self._show_help)
         QShortcut(QKeySequence("Ctrl+T"), self.window, self._other_theme)
         QShortcut(QKeySequence("F11"), self.window, self._full_screen)
 
@@ -80,6 +90,32 @@ class Application(QObject):
     def _other_theme(self) -> None:
         other = "light" if self.theme.name == "dark" else "dark"
         self.session.save_settings(self.session.settings.model_copy(update={"theme": other}))
+
+    def _show_settings(self) -> None:
+        self._settings = SettingsDialog(self.session.settings, self.window)
+        self._settings.finished.connect(self._settings_done)
+        self._settings.open()
+
+    def _settings_done(self, result: int) -> None:
+        if self._settings is not None:
+            if result == QDialog.DialogCode.Accepted:
+                self.session.save_settings(self._settings.chosen)
+            self._settings.deleteLater()
+            self._settings = None
+
+    def _show_help(self) -> None:
+        if self._help is None:
+            self._help = HelpWindow(self.language.name, self._logs.path, self.window)
+            self._help.finished.connect(self._forget_help)
+        self._help.show()
+        self._help.raise_()
+        if self.window.step is not None:
+            self._help.show_step(self.window.step)
+
+    def _forget_help(self) -> None:
+        if self._help is not None:
+            self._help.deleteLater()
+            self._help = None
 
     def _full_screen(self) -> None:
         if self.window.isFullScreen():

@@ -7,6 +7,7 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, Signal
 
 from fruitgui.errors import FruitguiError
+from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.tasks import TaskRunner
 from fruitgui.station.connection import Connection
@@ -26,6 +27,7 @@ class Session(QObject):
 
     Attributes:
         messages, tasks: the window's one voice, and its one runner of long jobs.
+        connected: the sensors that run now.
         settings_changed, connection_changed, station_changed: that file was saved.
         states_changed: a step may have another state now.
         damages: files that could not be read at the start; each lies aside, unharmed.
@@ -41,11 +43,13 @@ class Session(QObject):
         self.workspace = workspace
         self.messages = Messages(self)
         self.tasks = TaskRunner(self)
+        self.connected = Connected(self)
         self.damages: list[Damage] = []
         self._settings = self._taken(workspace.settings.load()) or Settings()
         self._connection = self._taken(workspace.connection.load())
         self._station = self._taken(workspace.station.load())
         self._marks = self._taken(workspace.marks.load()) or Marks()
+        self.connected.changed.connect(self.states_changed)
 
     @property
     def settings(self) -> Settings:
@@ -105,7 +109,8 @@ class Session(QObject):
 
     def facts(self) -> Facts:
         """Return what exists, as far as the files tell."""
-        return facts_of(self._connection, self._station, self._marks)
+        feed = self.connected.feed
+        return facts_of(self._connection, self._station, self._marks, present=None if feed is None else feed.sensors)
 
     def states(self) -> dict[Step, StepState]:
         """Return how far each step is."""
