@@ -5,145 +5,226 @@
     <name>ActionBar</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener</translation>
     </message>
     <message>
         <source>Stop this job; nothing is left half-done (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener este trabajo; nada queda a medias (Esc)</translation>
     </message>
     <message>
         <source>Stopping …</source>
-        <translation type="unfinished"></translation>
+        <translation>Deteniendo …</translation>
+    </message>
+</context>
+<context>
+    <name>Application</name>
+    <message>
+        <source>the window</source>
+        <translation>la ventana</translation>
+    </message>
+</context>
+<context>
+    <name>HelpWindow</name>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Show log</source>
+        <translation>Ver registro</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Open the file in which everything that went wrong is written down</source>
+        <translation>Abrir el archivo donde se anota todo lo que falló</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Como el sistema</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>for ever</source>
+        <translation>para siempre</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> días</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>L&amp;ook</source>
+        <translation>&amp;Aspecto</translation>
+    </message>
+    <message>
+        <source>Keep &amp;pictures of fruit</source>
+        <translation>Guardar &amp;fotos de la fruta</translation>
+    </message>
+    <message>
+        <source>Counts, sizes and kinds are kept for ever; only the pictures are deleted.</source>
+        <translation>Los conteos, tamaños y tipos se guardan para siempre; solo se borran las fotos.</translation>
+    </message>
+    <message>
+        <source>&amp;Free room that stays on the disk</source>
+        <translation>&amp;Espacio que queda libre en el disco</translation>
+    </message>
+    <message>
+        <source>With less, recording stops and no more pictures are kept. Counting goes on.</source>
+        <translation>Con menos, se deja de grabar y de guardar fotos. El conteo sigue.</translation>
     </message>
 </context>
 <context>
     <name>Steps</name>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Conectar</translation>
     </message>
     <message>
         <source>Calibrate</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrar</translation>
     </message>
     <message>
         <source>Belt</source>
-        <translation type="unfinished"></translation>
+        <translation>Cinta</translation>
     </message>
     <message>
         <source>Teach</source>
-        <translation type="unfinished"></translation>
+        <translation>Enseñar</translation>
     </message>
     <message>
         <source>Train</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrenar</translation>
     </message>
     <message>
         <source>Live</source>
-        <translation type="unfinished"></translation>
+        <translation>En vivo</translation>
     </message>
     <message>
         <source>Lots</source>
-        <translation type="unfinished"></translation>
+        <translation>Lotes</translation>
     </message>
     <message>
         <source>to do</source>
-        <translation type="unfinished"></translation>
+        <translation>pendiente</translation>
     </message>
     <message>
         <source>ready</source>
-        <translation type="unfinished"></translation>
+        <translation>listo para empezar</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>hecho</translation>
     </message>
     <message>
         <source>do again</source>
-        <translation type="unfinished"></translation>
+        <translation>repetir</translation>
     </message>
     <message>
         <source>First finish the step “{step}”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Primero termine el paso «{step}».</translation>
     </message>
     <message>
         <source>Not there now: {sensors}.</source>
-        <translation type="unfinished"></translation>
+        <translation>No están ahora: {sensors}.</translation>
     </message>
     <message>
         <source>added: {sensors}</source>
-        <translation type="unfinished"></translation>
+        <translation>agregados: {sensors}</translation>
     </message>
     <message>
         <source>removed: {sensors}</source>
-        <translation type="unfinished"></translation>
+        <translation>quitados: {sensors}</translation>
     </message>
     <message>
         <source>exchanged: {sensors}</source>
-        <translation type="unfinished"></translation>
+        <translation>cambiados: {sensors}</translation>
     </message>
     <message>
         <source>The sensors are not those that were calibrated ({changes}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Los sensores no son los que se calibraron ({changes}).</translation>
     </message>
     <message>
         <source>Another sensor is the reference now: {sensor}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahora otro sensor es la referencia: {sensor}.</translation>
     </message>
     <message>
         <source>More is to be taught (samples, pieces of fruit): {kinds}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Falta enseñar más (muestras, frutas): {kinds}.</translation>
     </message>
     <message>
         <source>Teach at least two kinds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enseñe al menos dos tipos.</translation>
     </message>
     <message>
         <source>The kinds taught are not those of the model ({kinds}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Los tipos enseñados no son los del modelo ({kinds}).</translation>
     </message>
     <message>
         <source>A sensor was moved; calibrate again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se movió un sensor; calibre de nuevo.</translation>
     </message>
     <message>
         <source>The sensors were calibrated again since.</source>
-        <translation type="unfinished"></translation>
+        <translation>Después se calibraron de nuevo los sensores.</translation>
     </message>
     <message>
         <source>Trained with an earlier calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrenado con una calibración anterior.</translation>
     </message>
     <message>
         <source>More was taught since it was trained.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se enseñó más desde que se entrenó.</translation>
     </message>
     <message>
         <source>Without a model every fruit counts as unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin un modelo, toda la fruta cuenta como desconocida.</translation>
     </message>
     <message>
         <source>The line is running.</source>
-        <translation type="unfinished"></translation>
+        <translation>La línea está en marcha.</translation>
     </message>
 </context>
 <context>
     <name>TopBar</name>
     <message>
         <source>Light or dark (Ctrl+T)</source>
-        <translation type="unfinished"></translation>
+        <translation>Claro u oscuro (Ctrl+T)</translation>
     </message>
     <message>
         <source>Settings (Ctrl+,)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustes (Ctrl+,)</translation>
     </message>
     <message>
         <source>Help (F1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ayuda (F1)</translation>
     </message>
 </context>
 </TS>
