@@ -33,6 +33,7 @@ __all__ = [
     "box_scene",
     "line_scene",
     "placement_scene",
+    "sight_of",
     "sphere_scene",
     "still_scene",
 ]
@@ -209,7 +210,7 @@ def line_scene(
         for body in mixed(rng, fruit, kinds, foreign, foreign_kinds)
     ]
     laid = stream(clusters(bodies, touching, rng, half_m - 0.01), half_m, per_metre, rng)
-    low_m, high_m = _in_sight(setting)
+    low_m, high_m = sight_of(setting)
     before_m = low_m - 0.25 - max(body.start_m[0] for body in laid)
     laid = numbered([body.at((body.start_m[0] + before_m, body.start_m[1])) for body in laid])
     laid = [begun(body, profile, low_m, high_m, rng) for body in laid]
@@ -244,7 +245,7 @@ def _silenced(devices: Sequence[Device], silent: Sequence[tuple[int, float, floa
     return tuple(replace(device, silent_s=span) for device, span in zip(devices, spans, strict=True))
 
 
-def _in_sight(setting: Setting) -> tuple[float, float]:
+def sight_of(setting: Setting) -> tuple[float, float]:
     """Return the smallest and largest x of the world that any sensor sees of the belt."""
     still = Simulation(
         Scene(0, setting.devices, setting.surroundings, make_light(np.random.default_rng(0)), (), constant(0.0), ())

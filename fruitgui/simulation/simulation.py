@@ -112,7 +112,7 @@ class Truth:
     @cached_property
     def fruit(self) -> tuple[TrueFruit, ...]:
         """Everything on the belt, measured on its mesh."""
-        return tuple(_measured(body) for body in self._scene.bodies)
+        return tuple(measured_on_mesh(body) for body in self._scene.bodies)
 
     def position_m(self, fruit_id: int, time_s: float) -> F64:
         """Return the centre of volume (3,) of a fruit at a true time, reference frame."""
@@ -127,7 +127,8 @@ class Truth:
         return self._from_world.turn(np.array([self._scene.speed.speed_m_s(time_s), 0.0, 0.0]))
 
 
-def _measured(body: Body) -> TrueFruit:
+def measured_on_mesh(body: Body) -> TrueFruit:
+    """Return the truth about one body."""
     size = callipers(body.mesh)
     perimeter_m = outline_length_m(body.mesh, UP)
     return TrueFruit(
@@ -200,6 +201,16 @@ class Simulation:
         color = eye.color(bodies, speed.travel_m(color_s), speed.speed_m_s(color_s), rng)
         stamp_s = capture.time_s - eye.device.clock_offset_s
         return Frame(capture.sensor, self._numbers[number], stamp_s, color, depth_mm, eye.device.color_camera)
+
+    def showing(self, scene: Scene) -> Simulation:
+        """Return another scene of the same rig and place and light; what was made ready of them is shared.
+
+        A body that both scenes have must have the same number, and another body another one.
+        """
+        other = Simulation(scene)
+        other._eyes, other._sights = self._eyes, self._sights
+        other._casters, other._lock = self._casters, self._lock
+        return other
 
     def own_depth_mm(self, number: int) -> U16:
         """Return the depth of capture `number` in the infrared camera's own picture, not registered to colour.

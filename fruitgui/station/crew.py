@@ -14,12 +14,11 @@ from multiprocessing.shared_memory import SharedMemory
 from types import TracebackType
 from typing import Self
 
-import numpy as np
-
 from fruitgui.frame import Frame, Intrinsics
 from fruitgui.geometry.plane import Surface
 from fruitgui.perception.perceiver import Perceiver
 from fruitgui.perception.view import Observation
+from fruitgui.sensors.frame_memory import BYTES_PER_PIXEL, frame_maps, lay
 
 WORTH_IT = 40
 """Frames after which a helper is called: shorter recordings are read before it has started."""
@@ -145,7 +144,7 @@ class Helper:
     def __init__(self, eyes: Mapping[str, Eye]) -> None:
         context = multiprocessing.get_context("spawn")
         self._pixels = {sensor: eye.intrinsics.width * eye.intrinsics.height for sensor, eye in eyes.items()}
-        self._room = 5 * max(self._pixels.values())
+        self._room = BYTES_PER_PIXEL * max(self._pixels.values())
         self._memory = SharedMemory(create=True, size=HANDED * self._room)
         self._free = list(range(HANDED))
         self._handed: deque[tuple[int, Task]] = deque()
@@ -167,8 +166,7 @@ class Helper:
             return False
         slot = self._free.pop()
         frame = task.frame
-        color, depth_mm = _maps(self._memory, slot * self._room, frame.intrinsics)
-        color[:], depth_mm[:] = frame.color, frame.depth_mm
+        lay(frame, self._memory, slot * self._room)
         self._handed.append((slot, task))
         try:
             self._pipe.send((slot, frame.sensor, frame.sequence, frame.time_s, task.time_s))
@@ -234,19 +232,12 @@ def help_perceiving(eyes: Mapping[str, Eye], pipe: Connection, memory_name: str,
             slot, sensor, sequence, frame_time_s, time_s = pipe.recv()
             began_s = time.perf_counter()
             eye = eyes[sensor]
-            maps = _maps(memory, slot * room, eye.intrinsics)
+            maps = frame_maps(memory, slot * room, eye.intrinsics)
             frame = Frame(eye.sensor, sequence, frame_time_s, *maps, eye.intrinsics)
             observation = perceivers[sensor].observe(frame, time_s)
             pipe.send((observation, time.perf_counter() - began_s))
     except (EOFError, OSError):
         return
-
-
-def _maps(memory: SharedMemory, at: int, camera: Intrinsics) -> tuple[np.ndarray, np.ndarray]:
-    """Return colour and depth of a frame that lie in shared memory from a place on."""
-    shape = (camera.height, camera.width)
-    color: np.ndarray = np.ndarray((*shape, 3), np.uint8, memory.buf, at)
-    return color, np.ndarray(shape, np.uint16, memory.buf, at + 3 * shape[0] * shape[1])
 
 
 def usable_cores() -> int:

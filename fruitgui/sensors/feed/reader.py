@@ -17,8 +17,8 @@ from fruitgui.sensors.sensor import EndOfStreamError, Sensor, SensorTimeoutError
 READ_S = 0.5
 """How long one read may take; a stop is noticed after it."""
 
-REOPEN_AFTER_S = 4.0
-"""A sensor that gave nothing for so long is closed and opened again."""
+REOPEN_AFTER_S, FIRST_FRAME_S = 4.0, 20.0
+"""A sensor that gave nothing for so long is closed and opened again; for its first frame it has longer."""
 
 FIRST_WAIT_S, LONGEST_WAIT_S = 0.5, 8.0
 """Waits before opening again double from the first to the longest."""
@@ -130,24 +130,24 @@ class Reader:
 
     def _read(self) -> None:
         self._pulse.begin()
-        heard_s = time.monotonic()
+        heard_s, patience_s = time.monotonic(), FIRST_FRAME_S
         while not self._stop.is_set():
             try:
                 frame = self._sensor.read(READ_S)
             except SensorTimeoutError as error:
-                self._say_silent(error, time.monotonic() - heard_s)
+                self._say_silent(error, time.monotonic() - heard_s, patience_s)
                 continue
-            heard_s = time.monotonic()
+            heard_s, patience_s = time.monotonic(), REOPEN_AFTER_S
             self._pulse.beat(frame.sequence, heard_s)
             self._newest = frame
             self._state, self._error = Running.RUNNING, None
             self._ears.frame(Arrival(frame, heard_s))
 
-    def _say_silent(self, error: SensorTimeoutError, silence_s: float) -> None:
-        if silence_s > silent_after_s(self._nominal_hz):
+    def _say_silent(self, error: SensorTimeoutError, silence_s: float, patience_s: float) -> None:
+        if silence_s > silent_after_s(self._nominal_hz) and self._state is not Running.STARTING:
             self._state, self._error = Running.SILENT, error
             self._ears.absent(self.name)
-        if silence_s > max(REOPEN_AFTER_S, silent_after_s(self._nominal_hz)):
+        if silence_s > max(patience_s, silent_after_s(self._nominal_hz)):
             raise error
 
     def _close(self) -> None:
