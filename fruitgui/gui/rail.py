@@ -57,27 +57,28 @@ class StepButton(QAbstractButton):
 
     def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
         """Draw it."""
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self._paint_ground(painter)
-        theme, here = self._theme, self.isChecked()
-        text = theme.colour("text" if here or self._state.state is not State.TO_DO else "text_dim")
-        middle = self.height() / 2
-        place = QRectF(2.5 * GRID, middle - ICON_PX / 2, ICON_PX, ICON_PX)
-        icons.paint(painter, place, self.step.value, theme.colour("accent") if here else text)
-        left = place.right() + 1.5 * GRID
-        width = self.width() - left - MARK_PX - 2.5 * GRID
-        painter.setPen(text)
-        painter.setFont(theme.font("body", QFont.Weight.DemiBold if here else QFont.Weight.Medium))
-        bottom_left = Qt.AlignmentFlag.AlignBottom | Qt.AlignmentFlag.AlignLeft
-        painter.drawText(QRectF(left, 0, width, middle), bottom_left, self.text())
-        painter.setPen(theme.colour("warn" if self._state.state is State.REDO else "text_dim"))
-        painter.setFont(theme.font("small"))
-        painter.drawText(QRectF(left, middle + 2, width, middle), Qt.AlignmentFlag.AlignLeft, state_name(self._state))
-        mark = QRectF(self.width() - MARK_PX - 1.5 * GRID, middle - MARK_PX / 2, MARK_PX, MARK_PX)
-        icons.paint(painter, mark, MARKS[self._state.state], theme.colour(_COLOURS[self._state.state]),
-                    theme.colour("surface"))  # fmt: skip
-        painter.end()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            self._paint_ground(painter)
+            theme, here = self._theme, self.isChecked()
+            text = theme.colour("text" if here or self._state.state is not State.TO_DO else "text_dim")
+            middle = self.height() / 2
+            place = QRectF(2.5 * GRID, middle - ICON_PX / 2, ICON_PX, ICON_PX)
+            icons.paint(painter, place, self.step.value, theme.colour("accent") if here else text)
+            left = place.right() + 1.5 * GRID
+            width = self.width() - left - MARK_PX - 2.5 * GRID
+            painter.setPen(text)
+            painter.setFont(theme.font("body", QFont.Weight.DemiBold if here else QFont.Weight.Medium))
+            bottom_left = Qt.AlignmentFlag.AlignBottom | Qt.AlignmentFlag.AlignLeft
+            painter.drawText(QRectF(left, 0, width, middle), bottom_left, self.text())
+            painter.setPen(theme.colour("warn" if self._state.state is State.REDO else "text_dim"))
+            painter.setFont(theme.font("small"))
+            painter.drawText(
+                QRectF(left, middle + 2, width, middle), Qt.AlignmentFlag.AlignLeft, state_name(self._state)
+            )
+            mark = QRectF(self.width() - MARK_PX - 1.5 * GRID, middle - MARK_PX / 2, MARK_PX, MARK_PX)
+            icons.paint(painter, mark, MARKS[self._state.state], theme.colour(_COLOURS[self._state.state]),
+                        theme.colour("surface"))  # fmt: skip
 
     def _paint_ground(self, painter: QPainter) -> None:
         theme = self._theme

@@ -68,9 +68,8 @@ class KindMarkView(QWidget):
 
     def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
         """Draw it."""
-        painter = QPainter(self)
-        paint_mark(painter, QRectF(self.rect()), self._mark)
-        painter.end()
+        with QPainter(self) as painter:
+            paint_mark(painter, QRectF(self.rect()), self._mark)
 
 
 def _path(shape: Shape, box: QRectF) -> QPainterPath:

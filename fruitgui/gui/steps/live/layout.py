@@ -1,0 +1,92 @@
+"""Where everything on the live screen is: pictures, belt and last fruit at the left, counts at the right."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QVBoxLayout, QWidget
+
+from fruitgui.gui.steps.live.belt_map import BeltView
+from fruitgui.gui.steps.live.counts import CountsView
+from fruitgui.gui.steps.live.last_fruit import LastFruitView
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.cards import Card
+from fruitgui.gui.widgets.histogram import HistogramView
+from fruitgui.gui.widgets.sensor_picture import SensorPicture
+
+MOST_COLUMNS = 4
+
+
+class Pictures(QWidget):
+    """One picture for each sensor, arranged by their number; one of them can be made large."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setSpacing(GRID)
+        self._large: str | None = None
+        self.pictures: dict[str, SensorPicture] = {}
+
+    def show_sensors(self, sensors: Sequence[str]) -> None:
+        """Show these sensors, in this order."""
+        if list(self.pictures) == list(sensors):
+            return
+        for picture in self.pictures.values():
+            self._grid.removeWidget(picture)
+            picture.hide()
+            picture.deleteLater()
+        self.pictures = {sensor: SensorPicture(sensor, self._theme, self) for sensor in sensors}
+        for picture in self.pictures.values():
+            picture.pressed.connect(self.toggle)
+        self._large = None
+        self._arrange()
+
+    def toggle(self, sensor: str) -> None:
+        """Make one picture large, or all alike again."""
+        self._large = None if self._large == sensor else sensor
+        self._arrange()
+
+    def _arrange(self) -> None:
+        shown = [one for one in self.pictures if self._large in (None, one)]
+        columns = columns_for(len(shown))
+        for picture in self.pictures.values():
+            self._grid.removeWidget(picture)
+            picture.setVisible(picture.sensor in shown)
+        for number, sensor in enumerate(shown):
+            self._grid.addWidget(self.pictures[sensor], number // columns, number % columns)
+
+
+def columns_for(pictures: int) -> int:
+    """Return how many columns so many pictures are shown in."""
+    return max(1, min(MOST_COLUMNS, math.ceil(math.sqrt(pictures)) if pictures != 2 else 2))
+
+
+class LiveLayout(QWidget):
+    """The furniture of the live screen."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.pictures, self.belt = Pictures(theme), BeltView(theme)
+        self.last, self.counts = LastFruitView(theme), CountsView(theme)
+        self.histogram = HistogramView(theme)
+        belt_card, counts_card, histogram_card = Card(), Card(), Card()
+        for card, widget in (
+            (belt_card, self.belt), (counts_card, self.counts), (histogram_card, self.histogram),
+        ):  # fmt: skip
+            card.body.addWidget(widget)
+        left, right, whole = QVBoxLayout(), QVBoxLayout(), QHBoxLayout(self)
+        for column in (left, right, whole):
+            column.setContentsMargins(0, 0, 0, 0)
+            column.setSpacing(GRID)
+        left.addWidget(self.pictures, 5)
+        left.addWidget(belt_card, 3)
+        left.addWidget(self.last)
+        right.addWidget(counts_card, 3)
+        right.addWidget(histogram_card, 1)
+        whole.setSpacing(2 * GRID)
+        whole.addLayout(left, 8)
+        whole.addLayout(right, 5)
