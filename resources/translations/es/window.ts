@@ -51,6 +51,13 @@
     </message>
 </context>
 <context>
+    <name>HistogramView</name>
+    <message>
+        <source>The volumes of what was counted appear here.</source>
+        <translation>Aquí aparecen los volúmenes de lo contado.</translation>
+    </message>
+</context>
+<context>
     <name>SettingsDialog</name>
     <message>
         <source>Settings</source>

@@ -1,0 +1,131 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor
+from pytestqt.qtbot import QtBot
+
+from fruitgui.gui.drawn import BeltMap, DrawnFruit, DrawnPicture, EllipseShape, KindLine, LastFruit, MappedFruit
+from fruitgui.gui.steps.live.belt_map import BeltView
+from fruitgui.gui.steps.live.counts import CountsView
+from fruitgui.gui.steps.live.last_fruit import LastFruitView
+from fruitgui.gui.steps.live.layout import Pictures, columns_for
+from fruitgui.gui.theme.kinds import kind_marks
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.widgets.sensor_picture import Overlays, SensorPicture
+
+MARKS = kind_marks(["lemon", "red apple"])
+GREY = np.full((480, 640, 3), 90, np.uint8)
+
+
+def _fruit() -> DrawnFruit:
+    outline = np.array([[280, 200], [360, 200], [360, 280], [280, 280]], dtype=np.float32)
+    ellipse = EllipseShape(320.0, 240.0, 12.0, 6.0, 0.0)
+    return DrawnFruit(7, MARKS["lemon"], outline, ("lemon 98 %", "112 ± 4 ml"), ellipse, np.zeros((0, 2), np.float32))
+
+
+def _count_of(widget: SensorPicture, colour: str) -> int:
+    image = widget.grab().toImage()
+    wanted = QColor(colour).rgb()
+    return sum(image.pixel(x, y) == wanted for x in range(image.width()) for y in range(image.height()))
+
+
+def test_outlines_are_where_the_fruit_is_and_can_be_left_out(qtbot: QtBot, theme: Theme) -> None:
+    view = SensorPicture("kinect_1", theme)
+    qtbot.addWidget(view)
+    view.resize(640, 480)
+    view.show_picture(DrawnPicture("kinect_1", GREY, (_fruit(),), "good", "10.0/s"))
+    view.show_overlays(Overlays(labels=False, ellipses=False))
+    image = view.grab().toImage()
+    ratio = image.width() / 640
+    assert image.pixelColor(QPoint(round(320 * ratio), round(200 * ratio))) == QColor(MARKS["lemon"].colour)
+    assert image.pixelColor(QPoint(round(320 * ratio), round(240 * ratio))) == QColor(90, 90, 90)
+    view.show_overlays(Overlays(outlines=False, labels=False, ellipses=False, trails=False))
+    assert _count_of(view, MARKS["lemon"].colour) == 0
+
+
+def test_a_picture_keeps_its_shape_whatever_room_it_has(qtbot: QtBot, theme: Theme) -> None:
+    view = SensorPicture("kinect_1", theme)
+    qtbot.addWidget(view)
+    view.resize(900, 480)
+    view.show_picture(DrawnPicture("kinect_1", GREY, (), "good", ""))
+    image = view.grab().toImage()
+    assert image.pixelColor(40, 240) == theme.colour("picture")
+    assert image.pixelColor(450, 240) == QColor(90, 90, 90)
+
+
+def test_a_picture_does_not_outlive_or_change_with_its_array(qtbot: QtBot, theme: Theme) -> None:
+    view = SensorPicture("kinect_1", theme)
+    qtbot.addWidget(view)
+    view.resize(640, 480)
+    frame = GREY.copy()
+    view.show_picture(DrawnPicture("kinect_1", frame, (), "good", ""))
+    frame[:] = 255
+    assert view.grab().toImage().pixelColor(320, 240) == QColor(90, 90, 90)
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_Return, Qt.Key.Key_Space])
+def test_one_picture_is_made_large_and_small_again(qtbot: QtBot, theme: Theme, key: Qt.Key) -> None:
+    pictures = Pictures(theme)
+    qtbot.addWidget(pictures)
+    pictures.show_sensors(["kinect_1", "kinect_2", "kinect_3"])
+    pictures.show()
+    qtbot.keyClick(pictures.pictures["kinect_2"], key)
+    assert [name for name, one in pictures.pictures.items() if one.isVisible()] == ["kinect_2"]
+    qtbot.mouseClick(pictures.pictures["kinect_2"], Qt.MouseButton.LeftButton)
+    assert all(one.isVisible() for one in pictures.pictures.values())
+
+
+@pytest.mark.parametrize(("sensors", "columns"), [(1, 1), (2, 2), (3, 2), (4, 2), (5, 3), (8, 3)])
+def test_pictures_arrange_themselves(sensors: int, columns: int) -> None:
+    assert columns_for(sensors) == columns
+
+
+def _line(kind: str, count: int) -> KindLine:
+    return KindLine(MARKS[kind], kind, count, 110.0, 8.0, 0.11 * count, None, 31.0)
+
+
+def test_counts_say_what_they_show_to_a_screen_reader(qtbot: QtBot, theme: Theme) -> None:
+    view = CountsView(theme)
+    qtbot.addWidget(view)
+    view.show_lines([_line("lemon", 1248), _line("red apple", 417)])
+    assert view.accessibleDescription() == "lemon: 1248; red apple: 417"
+
+
+def test_counts_are_high_enough_for_two_metres(qtbot: QtBot, theme: Theme) -> None:
+    """Six rows in the room that they have in a window of 1280×720: figures of 40 pixels have capitals of 29."""
+    view = CountsView(theme)
+    qtbot.addWidget(view)
+    view.resize(360, 380)
+    view.show_lines([_line("lemon", 8)] * 6)
+    image = view.grab().toImage()
+    ink = theme.colour("text")
+    top = 44
+    rows = [y for y in range(top, top + 56) if any(image.pixelColor(x, y) == ink for x in range(325, 360))]
+    assert rows[-1] - rows[0] + 1 >= 29
+
+
+def test_the_belt_is_drawn_with_what_is_on_it(qtbot: QtBot, theme: Theme) -> None:
+    view = BeltView(theme)
+    qtbot.addWidget(view)
+    view.resize(600, 200)
+    corners = np.array([[0.0, 0.0], [1.2, 0.0], [1.2, 0.4], [0.0, 0.4]])
+    fruit = MappedFruit(3, MARKS["red apple"], 0.04, EllipseShape(0.3, 0.2, 1e-3, 1e-3, 0.0), np.zeros((0, 2)))
+    view.show_map(BeltMap({"kinect_1": corners}, frozenset(), (fruit,), 0.1))
+    image = view.grab().toImage()
+    scale = min(600 / (1.2 * 1.08), 200 / (0.4 * 1.08))
+    x, y = 300 + (0.3 - 0.6) * scale, 100 - (0.2 - 0.2) * scale
+    assert image.pixelColor(round(x + 0.3 * 0.04 * scale), round(y + 0.3 * 0.04 * scale)) == QColor(
+        MARKS["red apple"].colour
+    )
+
+
+def test_the_newest_fruit_comes_first(qtbot: QtBot, theme: Theme) -> None:
+    view = LastFruitView(theme)
+    qtbot.addWidget(view)
+    view.resize(700, 88)
+    empty = view.grab().toImage()
+    fruit = [LastFruit(n, n, MARKS["lemon"], "Lemon", 0.98, 112.0, 2.0, b"no picture") for n in (3, 2, 1)]
+    view.show_fruit(fruit)
+    assert view.grab().toImage() != empty
