@@ -1,0 +1,1 @@
+"""Of `records.sqlite`."""

@@ -1,0 +1,73 @@
+"""The store of one workspace, opened by one owner."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import TracebackType
+
+from fruitgui.errors import WorldError
+from fruitgui.records.counting import Counting
+from fruitgui.records.crops import Crops
+from fruitgui.records.lots import Lots
+from fruitgui.records.migrating import PICTURES, RECORDS, bring_up_to_date
+from fruitgui.station.fruit import Fruit
+from fruitgui.station.sink import CountedFruit, Crop
+
+
+class Store:
+    """All that is kept of a line. Any thread may use it; it is itself a `FruitSink`.
+
+    Made by `open_store`; the one that opened it closes it. Everything in it may raise `WorldError`: disk full,
+    read-only, locked by another program, damaged.
+
+    Attributes:
+        folder: the workspace.
+        lots: started, paused, ended.
+        counting: fruit from the line.
+        crops: their pictures.
+    """
+
+    def __init__(self, folder: Path, now_s: Callable[[], float] = time.time) -> None:
+        self.folder = folder
+        self._records = bring_up_to_date(folder / RECORDS.file, RECORDS)
+        try:
+            self._pictures = bring_up_to_date(folder / PICTURES.file, PICTURES)
+        except WorldError:
+            self._records.close()
+            raise
+        self.crops = Crops(self._pictures, now_s)
+        self.lots = Lots(self._records, now_s)
+        self.counting = Counting(self._records, self.crops, now_s)
+
+    def commit(self, lot: int, fruit: Fruit, crops: Sequence[Crop]) -> CountedFruit:
+        """Keep one fruit, see `FruitSink.commit`."""
+        return self.counting.commit(lot, fruit, crops)
+
+    def close(self) -> None:
+        """Let go of the files; all is on the disk already."""
+        self._records.close()
+        self._pictures.close()
+
+    def __enter__(self) -> Store:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+
+def open_store(folder: Path, now_s: Callable[[], float] = time.time) -> Store:
+    """Open the store in a folder, made where there is none; older files are brought up to date, copies set aside.
+
+    Args:
+        folder: the workspace.
+        now_s: tells the time of day, Unix seconds.
+
+    Raises:
+        WorldError: `store_newer`, `store_damaged`, `store_read_only`, `store_locked` or `disk_full`; nothing was
+            changed.
+    """
+    return Store(folder, now_s)

@@ -1,0 +1,98 @@
+from __future__ import annotations
+
+import pytest
+
+from fruitgui.errors import InputError
+from fruitgui.records.lots import NOT_RUNNING, Lot, LotPlan, Pause
+from fruitgui.records.store import Store
+from tests.unit.records.conftest import Clock
+from tests.unit.station.fruit_made import made_crops, made_fruit
+
+
+def test_a_lot_keeps_what_it_was_started_with(store: Store, clock: Clock) -> None:
+    plan = LotPlan(
+        " 1184 ", "Fundo El Peñón", "export", "wet", "kinect_1", '{"schema": 1}', "models/model-0001.fruit",
+        {"small": [0, 80]}, ("left", "right"),
+    )  # fmt: skip
+    lot = store.lots.start(plan)
+    assert store.lots.get(lot.key) == lot
+    assert (lot.name, lot.grower, lot.recipe, lot.note) == ("1184", "Fundo El Peñón", "export", "wet")
+    assert (lot.size_bands, lot.outlets) == ({"small": [0, 80]}, ("left", "right"))
+    assert lot.started_s == clock.now_s
+    assert store.lots.station_text(lot.key) == '{"schema": 1}'
+    store.lots.end(lot.key)
+    again = store.lots.start(LotPlan("1185", station_text='{"schema": 1}'))
+    assert again.station_sha256 == lot.station_sha256
+
+
+def test_only_one_lot_runs_at_a_time(store: Store, lot: Lot) -> None:
+    with pytest.raises(InputError) as caught:
+        store.lots.start(LotPlan("1185"))
+    assert caught.value.code == "lot_open"
+    assert store.lots.open_lot() == lot
+    store.lots.end(lot.key)
+    assert store.lots.open_lot() is None
+    with pytest.raises(InputError):
+        store.lots.pause(lot.key)
+
+
+def test_pauses_are_left_out_of_the_time_that_it_ran(store: Store, lot: Lot, clock: Clock) -> None:
+    clock.now_s += 100
+    assert store.lots.pause(lot.key).paused
+    assert store.lots.pause(lot.key).pauses == (Pause(clock.now_s, None, "asked"),)
+    clock.now_s += 50
+    assert not store.lots.resume(lot.key).paused
+    assert store.lots.resume(lot.key).ran_s(clock.now_s + 20) == 120
+    clock.now_s += 20
+    store.lots.pause(lot.key)
+    clock.now_s += 30
+    ended = store.lots.end(lot.key)
+    assert not ended.paused
+    assert ended.ran_s(clock.now_s + 1000) == 120
+
+
+def test_a_lot_found_open_goes_on_without_the_time_in_between(store: Store, lot: Lot, clock: Clock) -> None:
+    clock.now_s += 10
+    store.commit(lot.key, made_fruit(1), ())
+    counted_s = clock.now_s
+    clock.now_s += 3600
+    taken_up = store.lots.take_up(lot.key)
+    assert taken_up.pauses == (Pause(counted_s, clock.now_s, NOT_RUNNING),)
+    assert store.commit(lot.key, made_fruit(1), ()).number == 2
+
+
+def test_fruit_that_waited_are_kept_after_the_end(store: Store, lot: Lot) -> None:
+    store.lots.end(lot.key)
+    assert store.commit(lot.key, made_fruit(1), ()).number == 1
+
+
+def test_a_lot_that_is_none_takes_no_fruit(store: Store) -> None:
+    with pytest.raises(InputError) as caught:
+        store.commit(99, made_fruit(1), ())
+    assert caught.value.code == "no_such_lot"
+
+
+def test_crops_come_back_as_they_were_and_age_out_without_the_fruit(store: Store, lot: Lot, clock: Clock) -> None:
+    old = store.commit(lot.key, made_fruit(1), made_crops(1))
+    clock.now_s += 5 * 86_400
+    new = store.commit(lot.key, made_fruit(2), made_crops(2))
+    kept = store.crops.of("fruit", old.key)
+    assert [(one.number, one.sensor, one.data) for one in kept] == [
+        (one.number, one.sensor, one.data) for one in made_crops(1)
+    ]
+    assert store.crops.first("fruit", [old.key, new.key])[new.key].data == made_crops(2)[0].data
+    assert store.crops.age_out(days=3) == 2
+    assert store.crops.of("fruit", old.key) == ()
+    assert len(store.crops.of("fruit", new.key)) == 2
+
+
+def test_crops_that_aged_out_give_their_room_back(store: Store, lot: Lot, clock: Clock) -> None:
+    for number in range(200):
+        store.commit(lot.key, made_fruit(number), made_crops(number))
+    with store._pictures.connected() as connection:
+        before = connection.exec_driver_sql("PRAGMA page_count").scalar_one()
+    clock.now_s += 10 * 86_400
+    assert store.crops.age_out(days=1) == 400
+    with store._pictures.connected() as connection:
+        after = connection.exec_driver_sql("PRAGMA page_count").scalar_one()
+    assert after < before / 10

@@ -1,0 +1,104 @@
+from __future__ import annotations
+
+import re
+import sqlite3
+from pathlib import Path
+
+import pytest
+from sqlalchemy import MetaData, create_engine
+
+from fruitgui.errors import WorldError
+from fruitgui.records import migrating
+from fruitgui.records.lots import LotPlan
+from fruitgui.records.migrating import PICTURES, RECORDS, Schema, bring_up_to_date
+from fruitgui.records.picture_tables import PicturesBase
+from fruitgui.records.store import open_store
+from fruitgui.records.tables import Base
+
+LATER = """
+from alembic import op
+
+revision = "{after}"
+down_revision = "{before}"
+
+
+def upgrade() -> None:
+    op.execute("ALTER TABLE lot ADD COLUMN weather VARCHAR NOT NULL DEFAULT 'sun'")
+    {then}
+"""
+
+
+def _tables(path: Path) -> set[str]:
+    connection = sqlite3.connect(path)
+    found = connection.execute("SELECT sql FROM sqlite_master WHERE sql IS NOT NULL AND name NOT LIKE 'alembic%'")
+    tables = {re.sub(r"\s+", "", sql) for (sql,) in found}
+    connection.close()
+    return tables
+
+
+@pytest.mark.parametrize(
+    ("schema", "metadata"), [(RECORDS, Base.metadata), (PICTURES, PicturesBase.metadata)], ids=["records", "pictures"]
+)
+def test_the_scripts_make_the_tables_that_the_program_uses(tmp_path: Path, schema: Schema, metadata: MetaData) -> None:
+    bring_up_to_date(tmp_path / schema.file, schema).close()
+    engine = create_engine(f"sqlite:///{tmp_path / 'wanted.sqlite'}")
+    metadata.create_all(engine)
+    engine.dispose()
+    assert _tables(tmp_path / schema.file) == _tables(tmp_path / "wanted.sqlite")
+    assert migrating.version_of(tmp_path / schema.file) == schema.version
+
+
+def _next_version(folder: Path, then: str = "pass") -> Schema:
+    """Return a schema with one more script than the program has."""
+    scripts = folder / "scripts"
+    scripts.mkdir()
+    for script in RECORDS.scripts.glob("v*.py"):
+        (scripts / script.name).write_text(script.read_text(encoding="utf-8"), encoding="utf-8")
+    after = f"{int(RECORDS.version) + 1:04d}"
+    (scripts / "later.py").write_text(LATER.format(before=RECORDS.version, after=after, then=then), encoding="utf-8")
+    return Schema(RECORDS.file, scripts, after)
+
+
+def test_an_older_file_is_brought_up_to_date_and_a_copy_stays(tmp_path: Path) -> None:
+    with open_store(tmp_path) as store:
+        store.lots.start(LotPlan("old"))
+    path = tmp_path / RECORDS.file
+    bring_up_to_date(path, _next_version(tmp_path)).close()
+    connection = sqlite3.connect(path)
+    assert connection.execute("SELECT name, weather FROM lot").fetchall() == [("old", "sun")]
+    connection.close()
+    copy = sqlite3.connect(tmp_path / f"records.version-{RECORDS.version}.sqlite")
+    assert copy.execute("SELECT name FROM lot").fetchall() == [("old",)]
+    copy.close()
+
+
+def test_a_step_that_fails_leaves_the_older_file_as_it_was(tmp_path: Path) -> None:
+    with open_store(tmp_path) as store:
+        store.lots.start(LotPlan("old"))
+    before = _tables(tmp_path / RECORDS.file)
+    with pytest.raises(WorldError):
+        bring_up_to_date(tmp_path / RECORDS.file, _next_version(tmp_path, 'op.execute("SELECT * FROM nothing")'))
+    assert _tables(tmp_path / RECORDS.file) == before
+    with open_store(tmp_path) as store:
+        assert store.lots.open_lot() is not None
+
+
+def test_a_newer_file_is_refused_and_untouched(tmp_path: Path) -> None:
+    open_store(tmp_path).close()
+    path = tmp_path / RECORDS.file
+    bring_up_to_date(path, _next_version(tmp_path)).close()
+    before = path.read_bytes()
+    with pytest.raises(WorldError) as caught:
+        open_store(tmp_path)
+    assert caught.value.code == "store_newer"
+    assert path.read_bytes() == before
+
+
+def test_a_database_of_another_program_is_refused(tmp_path: Path) -> None:
+    connection = sqlite3.connect(tmp_path / RECORDS.file)
+    connection.execute("CREATE TABLE photos (name)")
+    connection.commit()
+    connection.close()
+    with pytest.raises(WorldError) as caught:
+        open_store(tmp_path)
+    assert caught.value.code == "store_failed"
