@@ -55,6 +55,7 @@ class Application(QObject):
         self._show_states()
         self.window.go_to(opening_step(self.session.states()))
         self.window.show()
+        self.session.start_sensors()
         for damage in self.session.damages:
             self.session.messages.error(damage.error)
 

@@ -42,7 +42,9 @@ class Connected(QObject):
 
     def start(self, sensors: Sequence[Sensor]) -> None:
         """Let these sensors run in the place of those before."""
-        self._end()
+        before = self._taken()
+        if before is not None:
+            before.stop()
         if sensors:
             self._feed = Feed(sensors)
             self._feed.start()
@@ -52,15 +54,20 @@ class Connected(QObject):
 
     def stop(self) -> tuple[str, ...]:
         """Stop all sensors, within two seconds; return the names of those whose driver hangs."""
-        left = self._end()
-        self.changed.emit()
-        return left
+        feed = self.release()
+        return () if feed is None else feed.stop()
 
-    def _end(self) -> tuple[str, ...]:
+    def release(self) -> Feed | None:
+        """Return the feed that runs, for the caller to stop beside the window; from here on none is connected."""
+        feed = self._taken()
+        self.changed.emit()
+        return feed
+
+    def _taken(self) -> Feed | None:
         feed, self._feed = self._feed, None
         self._look.stop()
         self._health = {}
-        return () if feed is None else feed.stop()
+        return feed
 
     def _ask(self) -> None:
         if self._feed is not None:

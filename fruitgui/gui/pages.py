@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.station.workflow import Step
 
 PageMaker = Callable[[Session, Theme], StepPage]
 
-MAKERS: Mapping[Step, PageMaker] = {}
+MAKERS: Mapping[Step, PageMaker] = {Step.CONNECT: ConnectPage}
 
 
 def make_pages(session: Session, theme: Theme) -> dict[Step, StepPage]:

@@ -9,11 +9,13 @@ from PySide6.QtCore import QObject, Signal
 from fruitgui.errors import FruitguiError
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Messages
+from fruitgui.gui.source_runner import SourceRunner
 from fruitgui.gui.tasks import TaskRunner
 from fruitgui.station.connection import Connection
 from fruitgui.station.facts import facts_of
 from fruitgui.station.kept_file import Damage, Kept, KeptFile
 from fruitgui.station.settings import Settings
+from fruitgui.station.sources import Sources
 from fruitgui.station.station import Station
 from fruitgui.station.workflow import Facts, Step, StepState, step_states
 from fruitgui.station.workflow_file import Marks
@@ -28,6 +30,7 @@ class Session(QObject):
     Attributes:
         messages, tasks: the window's one voice, and its one runner of long jobs.
         connected: the sensors that run now.
+        source: opens what they come from.
         settings_changed, connection_changed, station_changed: that file was saved.
         states_changed: a step may have another state now.
         damages: files that could not be read at the start; each lies aside, unharmed.
@@ -38,18 +41,21 @@ class Session(QObject):
     station_changed = Signal()
     states_changed = Signal()
 
-    def __init__(self, workspace: Workspace, parent: QObject | None = None) -> None:
+    def __init__(self, workspace: Workspace, parent: QObject | None = None, *, sources: Sources | None = None) -> None:
         super().__init__(parent)
         self.workspace = workspace
         self.messages = Messages(self)
         self.tasks = TaskRunner(self)
         self.connected = Connected(self)
+        self.source = SourceRunner(sources or Sources(), self.connected, self.tasks, self.messages, self)
         self.damages: list[Damage] = []
         self._settings = self._taken(workspace.settings.load()) or Settings()
         self._connection = self._taken(workspace.connection.load())
         self._station = self._taken(workspace.station.load())
         self._marks = self._taken(workspace.marks.load()) or Marks()
         self.connected.changed.connect(self.states_changed)
+        self.source.opened.connect(self._keep_connection)
+        self.source.changed.connect(self.states_changed)
 
     @property
     def settings(self) -> Settings:
@@ -70,6 +76,11 @@ class Session(QObject):
     def marks(self) -> Marks:
         """Which step was done with what."""
         return self._marks
+
+    def start_sensors(self) -> None:
+        """Let the connection's sensors run, where there is a connection; anew where they run already."""
+        if self._connection is not None:
+            self.source.start(self._connection)
 
     def save_settings(self, settings: Settings) -> None:
         """Keep settings."""
@@ -109,12 +120,22 @@ class Session(QObject):
 
     def facts(self) -> Facts:
         """Return what exists, as far as the files tell."""
-        feed = self.connected.feed
-        return facts_of(self._connection, self._station, self._marks, present=None if feed is None else feed.sensors)
+        return facts_of(self._connection, self._station, self._marks, present=self._present())
 
     def states(self) -> dict[Step, StepState]:
         """Return how far each step is."""
         return dict(step_states(self.facts()))
+
+    def _present(self) -> tuple[str, ...] | None:
+        """Return the sensors that are there; None while nobody looked."""
+        if self.source.failure is not None and not self.source.opening:
+            return ()
+        feed = self.connected.feed
+        return None if feed is None else feed.sensors
+
+    def _keep_connection(self, connection: Connection) -> None:
+        if connection != self._connection:
+            self.save_connection(connection)
 
     def _taken(self, kept: Kept[T]) -> T | None:
         if kept.damage is not None:

@@ -45,6 +45,7 @@ class MainWindow(QMainWindow):
         self._stack = QStackedWidget()
         for page in self._pages.values():
             self._stack.addWidget(page)
+            page.step_wanted.connect(self.go_to)
         self._lay_out()
         self.rail.chosen.connect(self.go_to)
         messages.said.connect(self.action_bar.say)

@@ -3,5 +3,6 @@
 from __future__ import annotations
 
 from fruitgui.gui.shots.stage import Scene
+from fruitgui.gui.steps.connect.shots import SCENES as CONNECT
 
-SCENES: tuple[Scene, ...] = ()
+SCENES: tuple[Scene, ...] = (*CONNECT,)

@@ -16,10 +16,12 @@ class StepPage(QWidget):
     Attributes:
         hint_changed: another sentence is to be shown in the action bar.
         actions_changed: another set of actions is to be shown there.
+        step_wanted: the operator goes on to another `Step`.
     """
 
     hint_changed = Signal(str)
     actions_changed = Signal()
+    step_wanted = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

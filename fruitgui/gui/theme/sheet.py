@@ -5,6 +5,7 @@ from __future__ import annotations
 from string import Template
 
 from fruitgui.gui.theme.tokens import RADIUS, TOUCH, Colours, TypeScale
+from fruitgui.resources import folder
 
 _SHEET = Template(
     """
@@ -51,8 +52,12 @@ QLineEdit, QAbstractSpinBox, QTextEdit, QPlainTextEdit {
     background: $raised; border: 1px solid $line; border-radius: 8px; min-height: ${inner}px; padding: 0 10px;
     selection-background-color: $accent; selection-color: $on_accent;
 }
+QAbstractSpinBox::up-button { subcontrol-origin: border; subcontrol-position: top right; width: 0; border: 0; }
+QAbstractSpinBox::down-button { subcontrol-origin: border; subcontrol-position: bottom right; width: 0; border: 0; }
+QAbstractSpinBox QLineEdit { background: transparent; border: 0; min-height: 0; padding: 0 10px; }
 QTextEdit, QPlainTextEdit { padding: 8px; }
-QComboBox::drop-down { border: 0; width: 28px; }
+QComboBox::drop-down { border: 0; width: 32px; }
+QComboBox::down-arrow { image: url($controls/down-$name.svg); width: 18px; height: 18px; }
 QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;
     selection-color: $on_accent; }
 QCheckBox, QRadioButton { spacing: 10px; min-height: ${inner}px; background: transparent; }
@@ -61,6 +66,8 @@ QCheckBox::indicator, QRadioButton::indicator { width: 22px; height: 22px; borde
 QCheckBox::indicator { border-radius: 5px; }
 QRadioButton::indicator { border-radius: 13px; }
 QCheckBox::indicator:checked, QRadioButton::indicator:checked { background: $accent; border-color: $accent; }
+QCheckBox::indicator:checked { image: url($controls/tick-$name.svg); }
+QRadioButton::indicator:checked { image: url($controls/dot-$name.svg); }
 QCheckBox:focus, QRadioButton:focus { color: $accent; }
 QSlider::groove:horizontal { height: 6px; background: $line; border-radius: 3px; }
 QSlider::sub-page:horizontal { background: $accent; border-radius: 3px; }
@@ -103,8 +110,9 @@ QAbstractButton[role="step"] { background: transparent; border: 0; }
 )
 
 
-def style_sheet(colours: Colours, scale: TypeScale) -> str:
-    """Return the style sheet of a theme."""
+def style_sheet(name: str, colours: Colours, scale: TypeScale) -> str:
+    """Return the style sheet of a theme; its name is part of the names of the drawings that controls carry."""
     words = {name: getattr(colours, name) for name in Colours.__dataclass_fields__}
     words |= {name: getattr(scale, name) for name in TypeScale.__dataclass_fields__}
-    return _SHEET.substitute(words, radius=RADIUS, touch=TOUCH, inner=TOUCH - 4)
+    controls = (folder("icons") / "controls").as_posix()
+    return _SHEET.substitute(words, name=name, controls=controls, radius=RADIUS, touch=TOUCH, inner=TOUCH - 4)

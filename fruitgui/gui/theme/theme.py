@@ -57,7 +57,7 @@ class Theme(QObject):
         application.setStyle("Fusion")
         application.setPalette(_palette(self.colours))
         application.setFont(self.font())
-        application.setStyleSheet(style_sheet(self.colours, self.scale))
+        application.setStyleSheet(style_sheet(self.name, self.colours, self.scale))
         self.changed.emit()
 
 

@@ -109,6 +109,21 @@
     </message>
 </context>
 <context>
+    <name>SourceRunner</name>
+    <message>
+        <source>Stopping the sensors that ran before</source>
+        <translation>Deteniendo los sensores que funcionaban antes</translation>
+    </message>
+    <message>
+        <source>Opening the source</source>
+        <translation>Abriendo la fuente</translation>
+    </message>
+    <message>
+        <source>Connecting the sensors</source>
+        <translation>Conectando los sensores</translation>
+    </message>
+</context>
+<context>
     <name>Steps</name>
     <message>
         <source>Connect</source>
@@ -144,7 +159,7 @@
     </message>
     <message>
         <source>ready</source>
-        <translation>listo para empezar</translation>
+        <translation>listo</translation>
     </message>
     <message>
         <source>done</source>

@@ -1,0 +1,134 @@
+"""Lets the sensors of the connection's source run: opened and stopped beside the window, never on its thread."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Signal
+
+from fruitgui.errors import FruitguiError
+from fruitgui.gui.connected import Connected
+from fruitgui.gui.messages import Messages
+from fruitgui.gui.tasks import Job, Task, TaskRunner
+from fruitgui.progress import Cancelled, Progress, stop_if
+from fruitgui.sensors.feed import Feed
+from fruitgui.simulation.ahead import SimulatedRig
+from fruitgui.station.connection import Connection, connection_to, named_sensors
+from fruitgui.station.sources import Connected as Found
+from fruitgui.station.sources import Source, Sources
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Opened:
+    """A source that was opened, with the connection to it."""
+
+    found: Found
+    connection: Connection
+
+
+class SourceRunner(QObject):
+    """Opens sources one at a time; what is asked for while one is being opened comes after it.
+
+    Attributes:
+        opened: a `Connection` whose sensors run from now on.
+        changed: it began or ended to open a source.
+    """
+
+    opened = Signal(object)
+    changed = Signal()
+
+    def __init__(
+        self,
+        sources: Sources,
+        connected: Connected,
+        tasks: TaskRunner,
+        messages: Messages,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._sources = sources
+        self._connected = connected
+        self._tasks = tasks
+        self._messages = messages
+        self._task: Task[Opened] | None = None
+        self._next: Callable[[], None] | None = None
+        self._failure: FruitguiError | None = None
+        self._rig: SimulatedRig | None = None
+
+    @property
+    def sources(self) -> Sources:
+        """All makes of sources."""
+        return self._sources
+
+    @property
+    def opening(self) -> bool:
+        """Whether a source is being opened."""
+        return self._task is not None
+
+    @property
+    def failure(self) -> FruitguiError | None:
+        """Why the last source could not be opened; None where it could."""
+        return self._failure
+
+    @property
+    def rig(self) -> SimulatedRig | None:
+        """The simulated rig that runs, which can be asked to show something else; None for any other source."""
+        return self._rig
+
+    def choose(self, source: Source) -> None:
+        """Connect to another source, with all its sensors as they come."""
+        self._open(lambda: source, lambda found: connection_to(source.value(), found.sensors))
+
+    def start(self, connection: Connection) -> None:
+        """Let the sensors of a connection run, in the place of those that run now."""
+        value = connection.source
+        self._open(lambda: self._sources.source_of(value), lambda _found: connection)
+
+    def _open(self, source: Callable[[], Source], connection: Callable[[Found], Connection]) -> None:
+        if self._task is not None:
+            self._next = lambda: self._open(source, connection)
+            return
+        before = self._connected.release()
+        self._rig = None
+        words = (self.tr("Stopping the sensors that ran before"), self.tr("Opening the source"))
+        self._task = self._tasks.run(self.tr("Connecting the sensors"), _job(before, source, connection, words))
+        self._task.succeeded.connect(self._run)
+        self._task.failed.connect(self._fail)
+        self._task.ended.connect(self._end)
+        self.changed.emit()
+
+    def _run(self, opened: Opened) -> None:
+        self._failure = None
+        self._rig = opened.found.rig
+        self._connected.start(named_sensors(opened.connection, opened.found.sensors))
+        self.opened.emit(opened.connection)
+
+    def _fail(self, error: FruitguiError) -> None:
+        self._failure = error
+        self._messages.error(error)
+
+    def _end(self) -> None:
+        self._task = None
+        following, self._next = self._next, None
+        if following is not None:
+            following()
+        self.changed.emit()
+
+
+def _job(
+    before: Feed | None,
+    source: Callable[[], Source],
+    connection: Callable[[Found], Connection],
+    words: tuple[str, str],
+) -> Job[Opened]:
+    def opened(progress: Progress, cancelled: Cancelled) -> Opened:
+        if before is not None:
+            progress(0.1, words[0])
+            before.stop()
+        stop_if(cancelled)
+        progress(0.5, words[1])
+        found = source().connect()
+        return Opened(found, connection(found))
+
+    return opened

@@ -1,0 +1,1 @@
+"""Connect: sensors found, named, put in order, and seen to run."""

@@ -1,0 +1,258 @@
+"""The screen on which sensors are connected."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QTimer
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
+
+from fruitgui.gui.session import Session
+from fruitgui.gui.steps.connect.chooser import SourceChooser
+from fruitgui.gui.steps.connect.details import SensorDetails
+from fruitgui.gui.steps.connect.presenter import SensorView, plan_of, sensor_views, summary
+from fruitgui.gui.steps.connect.tiles import SensorTiles
+from fruitgui.gui.steps.connect.turn_card import TurnCard
+from fruitgui.gui.steps.page import StepPage
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID
+from fruitgui.station.connection import Connection
+from fruitgui.station.connection_changes import moved, referred_to, renamed, without
+from fruitgui.station.workflow import Step
+
+SIDE_WIDTH = 336
+LOOK_MS = 2000
+"""How often devices that were plugged in meanwhile are looked for, while the list is in view."""
+
+
+class ConnectPage(StepPage):
+    """Either the list of what can be connected, or the sensors that are."""
+
+    def __init__(self, session: Session, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._chosen = ""
+        self._choosing = session.connection is None
+        self._in_view = False
+        self.chooser, self.tiles = SourceChooser(theme), SensorTiles(theme)
+        self.details, self.turns = SensorDetails(theme), TurnCard(theme)
+        self._stack = QStackedWidget()
+        self._look = QTimer(self, interval=LOOK_MS)
+        self.connect_action, self.calibrate_action = QAction(self), QAction(self)
+        self.change_action, self.back_action = QAction(self), QAction(self)
+        self._lay_out()
+        self._say_words()
+        self._connect()
+        self._show()
+
+    def entered(self) -> None:
+        """Draw and look for devices."""
+        self._in_view = True
+        self._show()
+
+    def left(self) -> None:
+        """Rest."""
+        self._in_view = False
+        self.tiles.run(False)
+        self._look.stop()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._say_words()
+            self._show()
+        super().changeEvent(event)
+
+    def _lay_out(self) -> None:
+        side = QWidget()
+        side.setProperty("role", "scrolled")
+        column = QVBoxLayout(side)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2 * GRID)
+        column.addWidget(self.details)
+        column.addWidget(self.turns)
+        column.addStretch()
+        scroll = QScrollArea()
+        scroll.setWidget(side)
+        scroll.setWidgetResizable(True)
+        scroll.setFixedWidth(SIDE_WIDTH)
+        running = QWidget()
+        row = QHBoxLayout(running)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(2 * GRID)
+        row.addWidget(self.tiles, 1)
+        row.addWidget(scroll)
+        self._stack.addWidget(self.chooser)
+        self._stack.addWidget(running)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        whole.addWidget(self._stack)
+
+    def _connect(self) -> None:
+        session = self._session
+        session.connection_changed.connect(self._show)
+        session.station_changed.connect(self._show)
+        session.connected.changed.connect(self._show)
+        session.connected.health_changed.connect(self._show)
+        session.source.changed.connect(self._show)
+        session.source.opened.connect(self._opened)
+        self.chooser.changed.connect(self._show_actions)
+        self.chooser.file_wanted.connect(self._ask_for_file)
+        self.tiles.chosen.connect(self._choose)
+        self.details.renamed.connect(self._rename)
+        self.details.moved.connect(self._move)
+        self.details.identify.connect(self._identify)
+        self.details.reference.connect(self._refer)
+        self.details.leave.connect(self._leave_out)
+        self._look.timeout.connect(self._look_for_devices)
+        self.connect_action.triggered.connect(self._connect_source)
+        self.change_action.triggered.connect(self._change_source)
+        self.back_action.triggered.connect(self._go_back)
+        self.calibrate_action.triggered.connect(self._go_on)
+
+    def _say_words(self) -> None:
+        for action, text, tip, icon in (
+            (self.connect_action, self.tr("Connect"), self.tr("Connect the sensors of this source"), "connect"),
+            (self.calibrate_action, self.tr("Calibrate"), self.tr("Go on to calibrating"), "calibrate"),
+            (self.change_action, self.tr("Other source…"), self.tr("Connect something else"), "connect"),
+            (self.back_action, self.tr("Back"), self.tr("Stay with the sensors that are connected"), "left"),
+        ):
+            action.setText(text)
+            action.setToolTip(tip)
+            action.setProperty("icon", icon)
+        self.connect_action.setShortcut("Ctrl+Return")
+        self.calibrate_action.setShortcut("Ctrl+Return")
+        self.change_action.setShortcut("Ctrl+N")
+        self.back_action.setShortcut("Ctrl+Backspace")
+
+    # what is shown
+
+    def views(self) -> tuple[SensorView, ...]:
+        """Return the sensors as they are shown."""
+        connected = self._session.connected
+        infos = {} if connected.feed is None else connected.feed.infos
+        return sensor_views(self._session.connection, infos, connected.health, opening=self._session.source.opening)
+
+    def _show(self) -> None:
+        choosing = self._choosing or self._session.connection is None
+        if choosing and not self.chooser.rows:
+            self.chooser.show_found(self._session.source.sources.found())
+        self._stack.setCurrentIndex(0 if choosing else 1)
+        self.tiles.run(self._in_view and not choosing)
+        (self._look.start if self._in_view and choosing else self._look.stop)()
+        if not choosing:
+            self._show_sensors()
+        self._show_actions()
+
+    def _show_sensors(self) -> None:
+        views, feed = self.views(), self._session.connected.feed
+        names = tuple(view.name for view in views)
+        if self._chosen not in names:
+            self._chosen = names[0]
+        self.tiles.show_feed(feed)
+        self.tiles.show_views(views, self._chosen)
+        chosen = next(view for view in views if view.name == self._chosen)
+        self.details.show_view(chosen, tuple(name for name in names if name != self._chosen))
+        plan = plan_of(feed, self._session.station)
+        self.turns.show_plan(plan, () if feed is None else feed.sensors)
+
+    def _show_actions(self) -> None:
+        opening = self._session.source.opening
+        if self._choosing or self._session.connection is None:
+            self.connect_action.setEnabled(self.chooser.source is not None and not opening)
+            back = () if self._session.connection is None else (self.back_action,)
+            self.offer(self.connect_action, *back)
+            self.say(self._chooser_hint())
+            return
+        running, count = summary(self.views())
+        self.calibrate_action.setEnabled(running == count)
+        self.change_action.setEnabled(not opening)
+        self.offer(self.calibrate_action, self.change_action)
+        self.say(self._sensors_hint(running, count))
+
+    def _chooser_hint(self) -> str:
+        if self.chooser.source is None:
+            return self.tr("Choose the file of a recording, or another source.")
+        return self.tr("Choose what shall be connected, then press Connect.")
+
+    def _sensors_hint(self, running: int, count: int) -> str:
+        if self._session.source.opening:
+            return self.tr("The sensors are being started.")
+        if running < count:
+            text = self.tr("{running} of {count} sensors run. Look after the others, or leave them out.")
+            return text.format(running=running, count=count)
+        if count == 1:
+            return self.tr("The sensor runs. Give it a name, then calibrate.")
+        return self.tr("{count} sensors run. Give each a name, choose the reference, then calibrate.").format(
+            count=count
+        )
+
+    # what is done
+
+    def _look_for_devices(self) -> None:
+        found = self._session.source.sources.found()
+        self.chooser.update_found(found)
+
+    def _ask_for_file(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(
+            self, self.tr("Choose a recording"), "", self.tr("Recordings (*.mcap *.bag);;All files (*)")
+        )
+        if path:
+            self.chooser.take_file(Path(path))
+
+    def _connect_source(self) -> None:
+        source = self.chooser.source
+        if source is not None:
+            self._session.source.choose(source)
+
+    def _opened(self) -> None:
+        self._choosing = False
+        self._show()
+
+    def _change_source(self) -> None:
+        self._choosing = True
+        self.chooser.show_found(self._session.source.sources.found())
+        self._show()
+
+    def _go_back(self) -> None:
+        self._choosing = False
+        self._show()
+
+    def _go_on(self) -> None:
+        self.step_wanted.emit(Step.CALIBRATE)
+
+    def _choose(self, name: str) -> None:
+        self._chosen = name
+        self._show()
+
+    def _identify(self) -> None:
+        self.tiles.flash(self._chosen)
+
+    def _rename(self, name: str) -> None:
+        connection = self._session.connection
+        if connection is not None:
+            changed = renamed(connection, self._chosen, name)
+            self._chosen = name
+            self._session.save_connection(changed)
+            self._session.start_sensors()
+
+    def _move(self, by: int) -> None:
+        if self._session.connection is not None:
+            self._session.save_connection(moved(self._session.connection, self._chosen, by))
+
+    def _refer(self) -> None:
+        if self._session.connection is not None:
+            self._session.save_connection(referred_to(self._session.connection, self._chosen))
+
+    def _leave_out(self) -> None:
+        before, name = self._session.connection, self._chosen
+        if before is not None and len(before.sensors) > 1:
+            self._session.save_connection(without(before, name))
+            self._session.start_sensors()
+            text = self.tr("{sensor} is left out.").format(sensor=name)
+            self._session.messages.info(text, self.tr("Undo"), lambda: self._restore(before))
+
+    def _restore(self, connection: Connection) -> None:
+        self._session.save_connection(connection)
+        self._session.start_sensors()

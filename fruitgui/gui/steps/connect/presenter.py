@@ -1,0 +1,96 @@
+"""What the screen shows of the sensors: plain records, made from the connection, the feed and the station."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from fruitgui.frame import Frame
+from fruitgui.gui.steps.connect.words import Condition, colour_lock, condition, lost_text, rate_text
+from fruitgui.sensors.feed import Feed, Running, SensorHealth
+from fruitgui.sensors.sensor import SensorInfo
+from fruitgui.station.connection import ConnectedSensor, Connection
+from fruitgui.station.station import Station
+from fruitgui.station.turn_plan import TurnPlan, rig_of, seen_length_m, turn_plan
+
+USUAL_HZ = 30.0
+"""Of a sensor that does not say how many pictures a second it gives."""
+
+
+@dataclass(frozen=True, slots=True)
+class SensorView:
+    """One sensor as the screen shows it.
+
+    Attributes:
+        name: that a person gave. place: from 1.
+        device: make and model. serial: of the device; a dash where unknown.
+        reference: whether the others are placed in its frame.
+        condition: how it is. rate, lost: pictures a second and lost, in words.
+        colour: whether exposure and white balance are locked.
+    """
+
+    name: str
+    place: int
+    device: str
+    serial: str
+    reference: bool
+    condition: Condition
+    rate: str
+    lost: str
+    colour: Condition
+
+
+def sensor_views(
+    connection: Connection | None, infos: Mapping[str, SensorInfo], health: Mapping[str, SensorHealth], *, opening: bool
+) -> tuple[SensorView, ...]:
+    """Return the connection's sensors in order; one that is not in `infos` is not there, or not yet while opening."""
+    if connection is None:
+        return ()
+    kind = str(connection.source.get("kind", ""))
+    return tuple(
+        _view(one, place, connection.reference_name, kind, infos.get(one.name), health.get(one.name), opening)
+        for place, one in enumerate(connection.sensors, start=1)
+    )
+
+
+def _view(
+    one: ConnectedSensor,
+    place: int,
+    reference: str,
+    kind: str,
+    info: SensorInfo | None,
+    health: SensorHealth | None,
+    opening: bool,
+) -> SensorView:
+    waiting = opening or (info is not None and health is None)
+    return SensorView(
+        name=one.name,
+        place=place,
+        device="–" if info is None else " ".join(part for part in (info.make, info.model) if part) or "–",
+        serial=(info.serial if info is not None else "") or one.serial or "–",
+        reference=one.name == reference,
+        condition=condition(health) if not waiting else condition(_beginning(one.name)),
+        rate=rate_text(health),
+        lost=lost_text(health),
+        colour=colour_lock(kind),
+    )
+
+
+def _beginning(name: str) -> SensorHealth:
+    return SensorHealth(name, Running.STARTING)
+
+
+def plan_of(feed: Feed | None, station: Station | None) -> TurnPlan | None:
+    """Return how the projectors of the sensors that run take turns; None where none runs."""
+    if feed is None or not feed.infos:
+        return None
+    newest: dict[str, Frame | None] = {name: feed.newest(name) for name in feed.infos}
+    cameras = {name: info.intrinsics for name, info in feed.infos.items()}
+    seen_m = {name: seen_length_m(camera, newest[name]) for name, camera in cameras.items()}
+    nominal_hz = min(info.rate_hz or USUAL_HZ for info in feed.infos.values())
+    return turn_plan(tuple(feed.infos), nominal_hz, seen_m, rig_of(station, cameras))
+
+
+def summary(views: tuple[SensorView, ...]) -> tuple[int, int]:
+    """Return how many sensors run, and how many there are."""
+    return sum(view.condition.health in ("good", "warn") for view in views), len(views)

@@ -1,0 +1,126 @@
+"""How the projectors take turns: a small picture of one round, and what it means for rate and belt speed."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.cards import Card, label
+from fruitgui.sensors.turns import Schedule
+from fruitgui.station.turn_plan import TurnPlan
+
+ROW, LOW_ROW, LOW_FROM = 18, 14, 5
+"""Height of a sensor's row; from so many sensors on they are lower."""
+
+ROUNDS = 2
+
+
+class TurnPicture(QWidget):
+    """One row for each sensor; a bar where its projector is on. Two rounds are shown."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._sensors: tuple[str, ...] = ()
+        self._schedule = Schedule((), 1.0)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        theme.changed.connect(self.update)
+
+    def show_schedule(self, sensors: tuple[str, ...], schedule: Schedule) -> None:
+        """Show who is on when."""
+        if (sensors, schedule) != (self._sensors, self._schedule):
+            self._sensors, self._schedule = sensors, schedule
+            self.setAccessibleName(" → ".join(" + ".join(slot) for slot in schedule.slots))
+            self.updateGeometry()
+            self.update()
+
+    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """Return the size that it wants."""
+        return QSize(240, max(len(self._sensors), 1) * self._row())
+
+    def _row(self) -> int:
+        return ROW if len(self._sensors) < LOW_FROM else LOW_ROW
+
+    def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
+        """Draw it."""
+        if not self._schedule.slots:
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        theme, font = self._theme, self._theme.font("small")
+        metrics = QFontMetricsF(font)
+        names = min(max(metrics.horizontalAdvance(one) for one in self._sensors), self.width() * 0.4) + GRID
+        count = ROUNDS * len(self._schedule.slots)
+        step = (self.width() - names) / count
+        painter.setFont(font)
+        high = self._row()
+        for row, sensor in enumerate(self._sensors):
+            line = QRectF(0, row * high, names, high)
+            painter.setPen(theme.colour("text_dim"))
+            text = metrics.elidedText(sensor, Qt.TextElideMode.ElideRight, names - GRID)
+            painter.drawText(line, Qt.AlignmentFlag.AlignVCenter, text)
+            painter.setPen(Qt.PenStyle.NoPen)
+            for number in range(count):
+                on = sensor in self._schedule.slots[number % len(self._schedule.slots)]
+                painter.setBrush(theme.colour("accent" if on else "raised"))
+                painter.drawRoundedRect(QRectF(names + number * step + 1, row * high + 3, step - 2, high - 6), 3, 3)
+        painter.end()
+
+
+class TurnCard(Card):
+    """The picture with its sentences."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__("", parent)
+        self._plan: TurnPlan | None = None
+        self._sensors: tuple[str, ...] = ()
+        self.picture = TurnPicture(theme)
+        self.result, self.why = label("", "strong"), label("", "small")
+        for one in (self.result, self.why):
+            one.setWordWrap(True)
+        self.body.setSpacing(GRID // 2)
+        self.body.addWidget(self.picture)
+        self.body.addWidget(self.result)
+        self.body.addWidget(self.why)
+        self._say_words()
+
+    def show_plan(self, plan: TurnPlan | None, sensors: tuple[str, ...]) -> None:
+        """Show the plan; none where no sensor runs."""
+        if (plan, sensors) != (self._plan, self._sensors):
+            self._plan, self._sensors = plan, sensors
+            self._say_words()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._say_words()
+        super().changeEvent(event)
+
+    def _say_words(self) -> None:
+        self.set_title(self.tr("Projectors take turns"))
+        plan = self._plan
+        self.setVisible(plan is not None)
+        if plan is None:
+            return
+        self.picture.show_schedule(self._sensors, plan.schedule)
+        rate, nominal = number_text(plan.rate_hz, 1), number_text(plan.nominal_hz, 1)
+        speed = f"{number_text(plan.highest_speed_m_s, 2)}{THIN}m/s"
+        self.result.setText(
+            self.tr("{rate} of {nominal} pictures a second each; belt up to {speed}").format(
+                rate=rate, nominal=nominal, speed=speed
+            )
+        )
+        self.why.setText(self._reason(plan))
+
+    def _reason(self, plan: TurnPlan) -> str:
+        if len(self._sensors) == 1:
+            return self.tr("One sensor blinds no other; its projector is always on.")
+        if not plan.overlaps_known:
+            return self.tr("Until calibration tells which sensors overlap, each is on alone.")
+        if len(plan.schedule.slots) == 1:
+            return self.tr("No two sensors see the same place; all are on together.")
+        return self.tr("Sensors that see the same place are never on together.")

@@ -1,0 +1,134 @@
+"""What the screen says of sensors, as whole sentences."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QCoreApplication
+
+from fruitgui.errors import FruitguiError
+from fruitgui.gui.numbers import count_text, number_text
+from fruitgui.sensors.feed import Running, SensorHealth
+from fruitgui.station.station_file import SENSOR_ID
+
+translate = QCoreApplication.translate
+
+SLOW_SHARE = 0.75
+"""Below this share of what the device promises, its rate is a matter to look after."""
+
+LOST_SHARE = 0.02
+"""From this share of lost pictures on, they are a matter to look after."""
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """How something is, for people.
+
+    Attributes:
+        health: `good`, `warn`, `bad`, or empty while it is not known.
+        word: in one or two words. remedy: what to do; empty where there is nothing to do.
+    """
+
+    health: str
+    word: str
+    remedy: str = ""
+
+
+def condition(health: SensorHealth | None) -> Condition:
+    """Return how a sensor is; None is one that is not there."""
+    if health is None:
+        return Condition(
+            "bad",
+            translate("Connect", "not there"),
+            translate("Connect", "Plug it in again; it starts by itself when it returns."),
+        )
+    if health.state is Running.RUNNING:
+        return _running(health)
+    if health.state is Running.SILENT:
+        return Condition(
+            "bad",
+            translate("Connect", "no pictures"),
+            translate("Connect", "Check its cable and power; it is opened again by itself."),
+        )
+    if health.state is Running.FAILED:
+        return Condition("bad", translate("Connect", "failed"), _failure(health.error))
+    if health.state is Running.ENDED:
+        return Condition(
+            "warn",
+            translate("Connect", "at its end"),
+            translate("Connect", "The recording is over; start it again to see it anew."),
+        )
+    return Condition("", translate("Connect", "starting"))
+
+
+def _running(health: SensorHealth) -> Condition:
+    if health.frames > LOST_SHARE**-1 and health.drops > LOST_SHARE * (health.frames + health.drops):
+        return Condition(
+            "warn",
+            translate("Connect", "loses pictures"),
+            translate("Connect", "Give it a USB controller of its own, and a shorter cable."),
+        )
+    if 0.0 < health.rate_hz < SLOW_SHARE * health.nominal_hz and health.frames > 3.0 * health.nominal_hz:
+        return Condition(
+            "warn",
+            translate("Connect", "slow"),
+            translate(
+                "Connect", "This computer cannot keep up: close other programs, or give it a USB controller of its own."
+            ),
+        )
+    return Condition("good", translate("Connect", "running"))
+
+
+def _failure(error: FruitguiError | None) -> str:
+    if error is None or error.code == "sensor_failed":
+        return translate("Connect", "It is opened again by itself; if it stays away, unplug it and plug it in again.")
+    return f"{error.what} {error.remedy}"
+
+
+def rate_text(health: SensorHealth | None) -> str:
+    """Return pictures per second, measured against promised."""
+    if health is None:
+        return "–"
+    rate = number_text(health.rate_hz, 1)
+    if health.nominal_hz <= 0:
+        return translate("Connect", "{rate} a second").format(rate=rate)
+    return translate("Connect", "{rate} of {nominal} a second").format(
+        rate=rate, nominal=number_text(health.nominal_hz, 1)
+    )
+
+
+def lost_text(health: SensorHealth | None) -> str:
+    """Return how many pictures were lost."""
+    if health is None:
+        return "–"
+    if not health.drops:
+        return translate("Connect", "none of {frames}").format(frames=count_text(health.frames))
+    return translate("Connect", "{drops} of {frames}").format(
+        drops=count_text(health.drops), frames=count_text(health.frames + health.drops)
+    )
+
+
+def name_problem(name: str, others: tuple[str, ...]) -> str:
+    """Return why a sensor cannot have a name; empty where it can."""
+    if not name:
+        return translate("Connect", "A sensor needs a name.")
+    if not SENSOR_ID.fullmatch(name):
+        return translate(
+            "Connect", "A name has letters, digits and _ only, and begins with a letter; for example left_1."
+        )
+    if name in others:
+        return translate("Connect", "Another sensor has this name.")
+    return ""
+
+
+def colour_lock(kind: str) -> Condition:
+    """Return whether exposure and white balance stay as they are, as far as the kind of source tells."""
+    if kind == "simulated":
+        return Condition("good", translate("Connect", "locked"))
+    if kind == "recording":
+        return Condition("", translate("Connect", "as recorded"))
+    return Condition(
+        "warn",
+        translate("Connect", "not known"),
+        translate("Connect", "This driver cannot lock them; colours may drift, so keep the light steady."),
+    )

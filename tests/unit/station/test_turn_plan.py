@@ -1,0 +1,61 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from fruitgui.frame import Frame
+from fruitgui.simulation.device import KINECT_COLOR
+from fruitgui.simulation.scenes import bare_belt
+from fruitgui.station.station import Station, StationSensor
+from fruitgui.station.turn_plan import overlapping, rig_of, seen_length_m, turn_plan
+
+SEEN_M = {f"kinect_{n}": 0.9 for n in range(1, 9)}
+
+
+def test_before_calibration_every_sensor_is_alone() -> None:
+    plan = turn_plan(("kinect_1", "kinect_2", "kinect_3"), 30.0, SEEN_M, None)
+    assert plan.schedule.slots == (("kinect_1",), ("kinect_2",), ("kinect_3",))
+    assert not plan.overlaps_known
+    assert plan.rate_hz == pytest.approx(10.0)
+    # Three turns of 0.1 s must fit into the 0.8 m on which a fruit is seen whole.
+    assert plan.highest_speed_m_s == pytest.approx(0.8 / 0.3)
+
+
+def test_sensors_that_do_not_overlap_share_a_turn_once_calibration_tells() -> None:
+    rig = bare_belt(4, "chain").rig()
+    pairs = {frozenset(pair) for pair in overlapping(rig)}
+    assert {frozenset(("kinect_1", "kinect_2")), frozenset(("kinect_2", "kinect_3"))} <= pairs
+    plan = turn_plan(tuple(rig.mounts), 30.0, SEEN_M, rig)
+    assert plan.overlaps_known
+    for slot in plan.schedule.slots:
+        assert not any(set(pair) <= set(slot) for pair in pairs)
+
+
+def test_groups_that_see_nothing_in_common_do_not_wait_for_each_other() -> None:
+    rig = bare_belt(2, "disconnected").rig()
+    plan = turn_plan(tuple(rig.mounts), 30.0, SEEN_M, rig)
+    assert len(plan.schedule.slots) == 2
+    assert plan.rate_hz == pytest.approx(15.0)
+
+
+def test_how_much_belt_is_seen_grows_with_the_distance() -> None:
+    def frame(distance_mm: int) -> Frame:
+        depth = np.full((KINECT_COLOR.height, KINECT_COLOR.width), distance_mm, np.uint16)
+        return Frame("a", 0, 0.0, np.zeros((*depth.shape, 3), np.uint8), depth, KINECT_COLOR)
+
+    near, far = (seen_length_m(KINECT_COLOR, frame(mm)) for mm in (800, 1600))
+    assert far == pytest.approx(2 * near)
+    assert near == pytest.approx(0.8 * 480 / 525)
+    assert seen_length_m(KINECT_COLOR, None) > 0
+
+
+def test_a_station_of_other_sensors_tells_nothing_of_these() -> None:
+    rig = bare_belt(4, "opposed").rig()
+    sensors = {name: StationSensor("", mount.pose, mount.surface) for name, mount in rig.mounts.items()}
+    station = Station(rig.reference, sensors)
+    cameras = {name: mount.intrinsics for name, mount in rig.mounts.items()}
+    told = rig_of(station, cameras)
+    assert told is not None
+    assert set(told.mounts) == set(cameras)
+    assert rig_of(station, {"kinect_1": KINECT_COLOR}) is None
+    assert rig_of(None, cameras) is None
