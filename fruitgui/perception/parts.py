@@ -10,6 +10,7 @@ import numpy as np
 
 from fruitgui.frame import U8, Bools, Ints
 from fruitgui.perception.outline import Contour, solidity
+from fruitgui.perception.rails import Rail
 from fruitgui.perception.segment import MOST_GROUPS, Groups
 from fruitgui.perception.tiles import Box
 
@@ -28,11 +29,12 @@ class Parts:
     """The fruit of a frame, after splitting; N of them.
 
     Attributes:
-        labels: (h, w) uint8 of the crop; fruit i carries i + 1.
+        labels: (h, w) uint8 of the crop; fruit i carries i + 1, rails `RAIL`.
         contours: N outlines (K, 1, 2) int32, crop pixels.
         boxes: N times left, top, width and height of the outline.
         group: (N,) the group that each came from.
         shared: (N,) whether its group was split.
+        rails: that were taken out.
     """
 
     labels: U8
@@ -40,6 +42,7 @@ class Parts:
     boxes: tuple[Box, ...]
     group: Ints
     shared: Bools
+    rails: tuple[Rail, ...] = ()
 
 
 class Splitter(Protocol):
@@ -52,7 +55,7 @@ class Splitter(Protocol):
 def unsplit(groups: Groups) -> Parts:
     """Return every group as one fruit."""
     count = len(groups.contours)
-    return Parts(groups.labels, groups.contours, groups.boxes, np.arange(count), np.zeros(count, bool))
+    return Parts(groups.labels, groups.contours, groups.boxes, np.arange(count), np.zeros(count, bool), groups.rails)
 
 
 def with_parts(groups: Groups, cuts: dict[int, list[Contour]]) -> Parts:
@@ -75,7 +78,8 @@ def with_parts(groups: Groups, cuts: dict[int, list[Contour]]) -> Parts:
     group = np.array([came_from[number] for number in range(count)], dtype=np.intp)
     contours = tuple(found[number] for number in range(count))
     boxes = tuple(cv2.boundingRect(contour) for contour in contours)
-    return Parts(labels, contours, boxes, group, np.array([number in cuts for number in group.tolist()], dtype=bool))
+    shared = np.array([number in cuts for number in group.tolist()], dtype=bool)
+    return Parts(labels, contours, boxes, group, shared, groups.rails)
 
 
 def part_contours(parts: U8, corner: tuple[int, int], least_px: float) -> list[Contour]:

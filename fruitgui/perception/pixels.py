@@ -148,7 +148,8 @@ def gather_pixels(parts: Parts, standing_mm: U16, limits: DepthLimits) -> Pixels
         standing_mm: (h, w) of the crop, depth readings that count as fruit, 0 elsewhere.
         limits: of the sensor.
     """
-    down, across = _thinning(cv2.countNonZero(parts.labels))
+    rails = sum(np.count_nonzero(rail.pixels) for rail in parts.rails)
+    down, across = _thinning(cv2.countNonZero(parts.labels) - rails)
     tiles = laid_out(parts.boxes, parts.labels.shape, BESIDE + 1, (down, across))
     own = tiles.owned(parts.labels)
     edges = edge_distance(tiles, _inside(own, parts, tiles.shifts)).reshape(-1)

@@ -11,6 +11,7 @@ import numpy as np
 from fruitgui.frame import U8, U16
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.outline import Contour
+from fruitgui.perception.rails import RAIL, Rail, RailFinder
 from fruitgui.perception.settings import PerceptionSettings
 from fruitgui.perception.tiles import Box
 
@@ -23,16 +24,18 @@ class Groups:
     """What stands on the belt in one frame, within the crop of the sensor's limits.
 
     Attributes:
-        labels: (h, w) uint8; group i (0-based) carries i + 1, holes filled; 0 is belt.
+        labels: (h, w) uint8; group i (0-based) carries i + 1, holes filled; 0 is belt, `RAIL` is rail.
         standing_mm: (h, w) uint16; depth readings above the belt, inside the region; 0 elsewhere.
         contours: one (K, 1, 2) int32 outline for each group, crop pixels.
         boxes: one left, top, width and height for each outline.
+        rails: that were taken out.
     """
 
     labels: U8
     standing_mm: U16
     contours: tuple[Contour, ...]
     boxes: tuple[Box, ...]
+    rails: tuple[Rail, ...] = ()
 
 
 class Segmenter:
@@ -47,6 +50,7 @@ class Segmenter:
         z_m = limits.offset_m / np.maximum(limits.slope, 1e-3)
         self._least_area = 0.5 * np.pi / 4.0 * (settings.smallest_m * limits.focal_px / z_m) ** 2
         self._thin = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (thin, thin))
+        self._rails = RailFinder(limits, settings)
 
     def groups(self, depth_mm: U16) -> Groups:
         """Return the groups in a depth image (height, width)."""
@@ -55,9 +59,15 @@ class Segmenter:
         bridged = self._over_holes(depth, solid)
         opened = cv2.morphologyEx(bridged, cv2.MORPH_OPEN, self._thin)
         contours, _ = cv2.findContours(opened, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-        kept = self._large_enough(contours)
+        kept, rails = self._rails.without_rails(self._large_enough(contours), depth, solid)
+        if rails:
+            kept = self._large_enough(kept)
+        labels = drawn(kept, self._limits.shape)
+        for rail in rails:
+            solid[rail.place][rail.pixels] = 0
+            labels[rail.place][rail.pixels & (labels[rail.place] == 0)] = RAIL
         boxes = tuple(cv2.boundingRect(contour) for contour in kept)
-        return Groups(drawn(kept, self._limits.shape), cv2.copyTo(depth, solid), kept, boxes)
+        return Groups(labels, cv2.copyTo(depth, solid), kept, boxes, rails)
 
     def _over_holes(self, depth: U16, solid: U8) -> U8:
         """Close gaps, but only over missing readings: belt seen between two fruit keeps them apart."""

@@ -98,7 +98,8 @@ def _others(
     places: Places, owner: Ints, parts: Parts, depth_mm: U16, limits: DepthLimits, jump_m: float
 ) -> tuple[Ints, Ints]:
     """Return at which places something else stands on the belt beyond the outline, and where that hides the fruit."""
-    near = np.flatnonzero(_crowded(np.array(parts.boxes)).take(owner))
+    boxes = np.array([*parts.boxes, *(rail.box for rail in parts.rails)])
+    near = np.flatnonzero(_crowded(boxes).take(owner))
     if len(near) == 0:
         return near, near
     rows, columns = limits.shape
