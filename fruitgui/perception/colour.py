@@ -111,10 +111,11 @@ def colour_features(pixels: Pixels, calm: U8, belt: BeltColour) -> F64:
     runs = Runs.ending(inner.searchsorted(pixels.runs.starts + pixels.runs.counts))
     place = np.minimum(pixels.row.take(inner) >> 1, calm.shape[0] - 1) * calm.shape[1]
     place += np.minimum(pixels.column.take(inner) >> 1, calm.shape[1] - 1)
-    red, green, blue = (channel.reshape(-1) for channel in cv2.split(calm))
-    own = green.take(place)
-    beside = np.where(pixels.beside_px.take(inner) > 3.0, green.take(place + STEP, mode="clip"), own)
-    return _Inner(runs, red.take(place), own, blue.take(place), beside).features(belt)
+    place *= 3
+    levels = calm.reshape(-1)
+    red, green, blue = (levels.take(place + channel) for channel in range(3))
+    beside = np.where(pixels.beside_px.take(inner) > 3.0, levels.take(place + (3 * STEP + 1), mode="clip"), green)
+    return _Inner(runs, red, green, blue, beside).features(belt)
 
 
 class _Inner:

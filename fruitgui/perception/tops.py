@@ -11,8 +11,8 @@ import numpy as np
 from fruitgui.frame import F32, F64, U8, Ints
 from fruitgui.perception.relief import Relief
 
-INDEX_SPAN = 2.0**20
-"""More than the pixels of any group on the coarse grid."""
+INDEX_BITS = 20
+"""Two to this power is more than the pixels of any group on the coarse grid."""
 
 WAY: F32 = np.linspace(0.0, 1.0, 32, dtype=np.float32)[:, None]
 WAY.setflags(write=False)
@@ -136,10 +136,10 @@ def basins(ground: F32, place: Ints, number: U8) -> U8:
     pixel = np.arange(rows * columns, dtype=np.float64).reshape(rows, columns)
     # Height in tenths of a millimetre and the pixel's own index in one exact number: the largest of the
     # neighbourhood tells where it is.
-    key = np.rint(ground.astype(np.float64) * 1e4) * INDEX_SPAN + pixel
-    parent = np.mod(cv2.dilate(key, np.ones((3, 3), np.uint8)), INDEX_SPAN).astype(np.intp).reshape(-1)
+    key = np.rint(ground.astype(np.float64) * 1e4) * 2.0**INDEX_BITS + pixel
+    parent = cv2.dilate(key, np.ones((3, 3), np.uint8)).astype(np.intp).reshape(-1) & (2**INDEX_BITS - 1)
     for _ in range(8):
-        parent = parent[parent]
+        parent = parent.take(parent)
     roots = np.flatnonzero(parent == np.arange(rows * columns))
     at = np.stack([roots // columns, roots % columns], axis=1)
     many, tops = np.repeat(at, len(place), axis=0), np.tile(place, (len(at), 1))

@@ -128,3 +128,17 @@ def test_points_lie_on_the_ball_and_are_spread_over_it() -> None:
     off = np.linalg.norm(inner - table.centres_m()[0], axis=1) - 0.04
     assert np.sqrt(np.mean(off**2)) < 0.0015
     assert view.edge_px.max() == pytest.approx(0.04 * 525 / 0.55, rel=0.2)
+
+
+def test_every_second_place_of_an_outline_tells_the_same() -> None:
+    outlines = joined((circle(9), circle(40), circle(23)))
+    thin = outlines.thinned()
+    assert [len(one) for one in thin.each] == pytest.approx([len(one) / 2 for one in outlines.each], abs=1)
+    for one, all_of_it in zip(thin.each, outlines.each, strict=True):
+        assert set(map(tuple, one[:, 0].tolist())) <= set(map(tuple, all_of_it[:, 0].tolist()))
+    assert thin.owner[thin.starts].tolist() == [0, 1, 2]
+    ellipses = fit_ellipses(outlines)
+    assert ellipses.axes_px == pytest.approx(np.array([[18.0] * 2, [80.0] * 2, [46.0] * 2]), abs=1.5)
+    assert ellipses.solidity[1:] == pytest.approx(1.0, abs=0.02)
+    short = joined((circle(2), circle(40)))
+    assert short.thinned() is short
