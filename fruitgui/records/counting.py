@@ -12,7 +12,7 @@ from fruitgui.errors import WorldError
 from fruitgui.records import totals
 from fruitgui.records.crops import Crops
 from fruitgui.records.database import Database
-from fruitgui.records.lots import lot_row
+from fruitgui.records.lot import lot_row
 from fruitgui.records.packing import columns, known, pack_path
 from fruitgui.records.tables import FruitRow, PathRow
 from fruitgui.station.fruit import Fruit

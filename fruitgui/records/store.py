@@ -8,10 +8,15 @@ from pathlib import Path
 from types import TracebackType
 
 from fruitgui.errors import WorldError
+from fruitgui.records.correcting import Corrections
 from fruitgui.records.counting import Counting
 from fruitgui.records.crops import Crops
+from fruitgui.records.fruit_search import CountedFruits
 from fruitgui.records.lots import Lots
 from fruitgui.records.migrating import PICTURES, RECORDS, bring_up_to_date
+from fruitgui.records.models import Models
+from fruitgui.records.settings_history import SettingsHistory
+from fruitgui.records.teaching import Teaching
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.sink import CountedFruit, Crop
 
@@ -26,7 +31,12 @@ class Store:
         folder: the workspace.
         lots: started, paused, ended.
         counting: fruit from the line.
+        fruit: those that were counted, for reading.
+        corrections: what people say of them.
         crops: their pictures.
+        teaching: taught fruit, and those that wait to be named.
+        models: which there are, and which is in use.
+        settings: which value each had, and since when.
     """
 
     def __init__(self, folder: Path, now_s: Callable[[], float] = time.time) -> None:
@@ -40,6 +50,11 @@ class Store:
         self.crops = Crops(self._pictures, now_s)
         self.lots = Lots(self._records, now_s)
         self.counting = Counting(self._records, self.crops, now_s)
+        self.fruit = CountedFruits(self._records, self.crops)
+        self.corrections = Corrections(self._records, now_s)
+        self.teaching = Teaching(self._records, self.crops, now_s)
+        self.models = Models(self._records, now_s)
+        self.settings = SettingsHistory(self._records, now_s)
 
     def commit(self, lot: int, fruit: Fruit, crops: Sequence[Crop]) -> CountedFruit:
         """Keep one fruit, see `FruitSink.commit`."""

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from fruitgui.records.lots import Lot, LotPlan
+from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.store import Store, open_store
 
 

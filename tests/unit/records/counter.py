@@ -6,7 +6,7 @@ import sys
 from itertools import count
 from pathlib import Path
 
-from fruitgui.records.lots import LotPlan
+from fruitgui.records.lot import LotPlan
 from fruitgui.records.store import open_store
 from tests.unit.station.fruit_made import made_crops, made_fruit
 

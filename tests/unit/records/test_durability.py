@@ -13,7 +13,7 @@ import pytest
 
 from fruitgui.errors import WorldError
 from fruitgui.records import database
-from fruitgui.records.lots import Lot, LotPlan
+from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.store import Store, open_store
 from fruitgui.station.waiting import BufferedSink
 from tests.unit.station.fruit_made import made_crops, made_fruit

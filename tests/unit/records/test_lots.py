@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from fruitgui.errors import InputError
-from fruitgui.records.lots import NOT_RUNNING, Lot, LotPlan, Pause
+from fruitgui.records.lot import NOT_RUNNING, Lot, LotPlan, Pause
 from fruitgui.records.store import Store
 from tests.unit.records.conftest import Clock
 from tests.unit.station.fruit_made import made_crops, made_fruit

@@ -9,7 +9,7 @@ from sqlalchemy import MetaData, create_engine
 
 from fruitgui.errors import WorldError
 from fruitgui.records import migrating
-from fruitgui.records.lots import LotPlan
+from fruitgui.records.lot import LotPlan
 from fruitgui.records.migrating import PICTURES, RECORDS, Schema, bring_up_to_date
 from fruitgui.records.picture_tables import PicturesBase
 from fruitgui.records.store import open_store

@@ -1,0 +1,76 @@
+"""A lot as CSV: one row for each fruit, units in the names, those that a person left out too."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterable
+from datetime import UTC, datetime
+from pathlib import Path
+
+from fruitgui.files import written_whole
+from fruitgui.measurement.fruit import Quantity
+from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+from fruitgui.records.fruit_record import FruitRecord
+from fruitgui.records.fruit_search import FruitQuery
+from fruitgui.records.store import Store
+from fruitgui.station.report import G_PER_KG, ML_PER_M3, MM_PER_M
+
+HEADER = (
+    "lot", "number", "kind", "machine_kind", "kind_probability", "counted",
+    "volume_ml", "volume_std_ml", "mass_g", "mass_std_g", "length_mm", "length_std_mm",
+    "diameter_mm", "diameter_std_mm", "perimeter_mm", "perimeter_std_mm",
+    "views", "coverage", "outlet", "counted_at_utc", "first_seen_s", "last_seen_s",
+)  # fmt: skip
+"""`kind` is what holds, `machine_kind` what the machine said (empty where a person added the fruit); `counted` is 1 or
+0 (left out by a person); what was not measured is empty; `_std_` is one standard deviation; `first_seen_s` and
+`last_seen_s` are in the reference sensor's clock."""
+
+TOLD_EVERY = 2_000
+
+
+def write_lot(
+    store: Store, lot: int, path: Path, progress: Progress = no_progress, cancelled: Cancelled = never_cancelled
+) -> int:
+    """Write a lot, whole or not at all; return the number of fruit.
+
+    Raises:
+        InputError: there is no such lot.
+        WorldError: it cannot be read or written.
+        CancelledByUserError: a person stopped it; no file is left.
+    """
+    name = store.lots.get(lot).name
+    found = sum(store.fruit.find(FruitQuery(lot, which=which, count=0)).found for which in ("counted", "left_out"))
+    written = 0
+    with written_whole(path) as beside, beside.open("w", encoding="utf-8", newline="") as out:
+        writer = csv.writer(out)
+        writer.writerow(HEADER)
+        for fruit in store.fruit.walk(lot):
+            writer.writerow(_row(name, fruit))
+            written += 1
+            if written % TOLD_EVERY == 0:
+                stop_if(cancelled)
+                progress(min(written / found, 1.0), f"{written} fruit")
+    return written
+
+
+def _row(lot: str, fruit: FruitRecord) -> Iterable[object]:
+    return (
+        lot, fruit.number, fruit.kind, fruit.machine_kind, _digits(fruit.kind_probability, 1), int(fruit.counted),
+        *_quantity(fruit.volume_m3, ML_PER_M3), *_quantity(fruit.mass_kg, G_PER_KG),
+        *_quantity(fruit.length_m, MM_PER_M), *_quantity(fruit.diameter_m, MM_PER_M),
+        *_quantity(fruit.perimeter_m, MM_PER_M), fruit.views, _digits(fruit.coverage, 1), fruit.outlet,
+        datetime.fromtimestamp(fruit.counted_s, UTC).isoformat(timespec="milliseconds"),
+        fruit.first_seen_s, fruit.last_seen_s,
+    )  # fmt: skip
+
+
+def _quantity(quantity: Quantity | None, factor: float) -> tuple[str, str]:
+    if quantity is None:
+        return "", ""
+    return _digits(quantity.value, factor), _digits(quantity.std, factor)
+
+
+def _digits(value: float | None, factor: float) -> str:
+    """Return six digits, more than any measurement has; nothing where it is not known."""
+    return "" if value is None or math.isnan(value) else f"{value * factor:.6g}"

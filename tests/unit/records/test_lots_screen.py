@@ -1,0 +1,217 @@
+"""What the Lots screen asks: lists, totals, pages, distributions, corrections."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from fruitgui.errors import CancelledByUserError, InputError
+from fruitgui.records.fruit_search import FruitQuery
+from fruitgui.records.lot import Lot, LotPlan
+from fruitgui.records.lot_csv import HEADER, write_lot
+from fruitgui.records.lot_report import report_lot
+from fruitgui.records.lot_search import LotQuery
+from fruitgui.records.store import Store, open_store
+from tests.unit.records.conftest import Clock
+from tests.unit.station.fruit_made import KINDS, made_crops, made_fruit
+
+
+def _fill(store: Store, lot: Lot, numbers: range) -> None:
+    store.counting.commit_batch(lot.key, [(made_fruit(number), ()) for number in numbers])
+
+
+def test_lots_are_found_by_word_and_date_the_newest_first_with_their_totals(store: Store, clock: Clock) -> None:
+    for name, grower in (("1184", "Fundo El Peñón"), ("1185", "Agrícola_100%"), ("1186", "Fundo Norte")):
+        clock.now_s += 86_400
+        lot = store.lots.start(LotPlan(name, grower))
+        _fill(store, lot, range(int(name) - 1180))
+        store.lots.end(lot.key)
+    everything = store.lots.find(LotQuery())
+    assert [line.lot.name for line in everything.lots] == ["1186", "1185", "1184"]
+    assert [line.fruit for line in everything.lots] == [6, 5, 4]
+    assert everything.lots[0].volume_m3 == pytest.approx(sum(made_fruit(n).volume_m3.value for n in range(6)))
+    page = store.lots.find(LotQuery(words="fundo", first=1, count=1))
+    assert ([line.lot.name for line in page.lots], page.found) == (["1184"], 2)
+    assert store.lots.find(LotQuery(words="fundo 1186")).found == 1
+    assert [line.lot.name for line in store.lots.find(LotQuery(words="_100%")).lots] == ["1185"]
+    assert store.lots.find(LotQuery(from_s=clock.now_s - 90_000, to_s=clock.now_s - 1)).found == 1
+
+
+def test_the_total_of_a_kind_adds_values_and_variances(store: Store, lot: Lot) -> None:
+    fruit = [made_fruit(number, "lemon") for number in range(40)]
+    for one in fruit:
+        store.commit(lot.key, one, ())
+    (total,) = store.lots.totals(lot.key)
+    volumes = np.array([one.volume_m3.value for one in fruit])
+    stds = np.array([one.volume_m3.std for one in fruit])
+    masses = [one.mass_kg for one in fruit if one.mass_kg is not None]
+    assert (total.kind, total.fruit, total.measured, total.weighed) == ("lemon", 40, 40, len(masses))
+    assert total.volume_m3.value == pytest.approx(volumes.sum())
+    assert total.volume_m3.std == pytest.approx(np.sqrt((stds**2).sum()))
+    assert total.volume_spread_m3 == pytest.approx(volumes.std(ddof=1))
+    assert total.mean_volume_m3 is not None
+    assert total.mean_volume_m3.value == pytest.approx(volumes.mean())
+    assert total.mass_kg.value == pytest.approx(sum(one.value for one in masses))
+
+
+def test_a_page_of_fruit_is_sorted_and_filtered(store: Store, lot: Lot) -> None:
+    _fill(store, lot, range(60))
+    page = store.fruit.find(FruitQuery(lot.key, kind=KINDS[1], order="volume_m3", falling=True, first=2, count=5))
+    wanted = sorted((made_fruit(n).volume_m3.value for n in range(60) if n % 4 == 1), reverse=True)
+    assert page.found == 15
+    assert [one.volume_m3.value for one in page.fruit if one.volume_m3] == wanted[2:7]
+    heaviest = store.fruit.find(FruitQuery(lot.key, order="mass_kg", count=60)).fruit
+    assert [one.mass_kg is None for one in heaviest] == [False] * 40 + [True] * 20, "what was not measured comes last"
+
+
+def test_a_fruit_comes_back_with_its_path_and_crops(store: Store, lot: Lot) -> None:
+    fruit = made_fruit(5)
+    counted = store.commit(lot.key, fruit, made_crops(5))
+    story = store.fruit.story(counted.key)
+    assert story.fruit.volume_m3 == fruit.volume_m3
+    assert story.fruit.mass_kg == fruit.mass_kg
+    assert story.fruit.fitted_volume_m3 == fruit.size.volume_m3
+    assert (story.fruit.first_seen_s, story.fruit.last_seen_s) == (fruit.first_seen_s, fruit.last_seen_s)
+    assert [point.time_s for point in story.path] == [point.time_s for point in fruit.path]
+    for ours, theirs in zip(story.path, fruit.path, strict=True):
+        np.testing.assert_allclose(ours.position_m, theirs.position_m, rtol=1e-6)
+        np.testing.assert_allclose(ours.covariance_m2, theirs.covariance_m2, rtol=1e-6)
+    assert len(story.crops) == 2
+    assert story.corrections == ()
+
+
+def test_a_corrected_fruit_keeps_what_the_machine_said(store: Store, lot: Lot) -> None:
+    key = store.commit(lot.key, made_fruit(0), ()).key
+    store.corrections.name([key], "quince", who="Ana", note="seen by hand")
+    story = store.fruit.story(key)
+    assert (story.fruit.kind, story.fruit.machine_kind, story.fruit.corrected) == ("quince", "lemon", True)
+    assert [(one.kind, one.counted, one.who, one.note) for one in story.corrections] == [
+        ("quince", None, "Ana", "seen by hand")
+    ]
+    store.corrections.leave_out([key])
+    assert store.lots.totals(lot.key) == ()
+    store.corrections.put_back([key])
+    store.corrections.name([key], "lemon")
+    assert not store.fruit.story(key).fruit.corrected
+    assert [total.kind for total in store.lots.totals(lot.key)] == ["lemon"]
+
+
+def test_a_fruit_that_the_machine_missed_is_added_without_measurements(store: Store, lot: Lot) -> None:
+    _fill(store, lot, range(3))
+    added = store.fruit.story(store.corrections.add(lot.key, "lemon", "Ana", "fell past")).fruit
+    assert (added.number, added.machine_kind, added.volume_m3, added.corrected) == (4, None, None, True)
+    lemons = next(total for total in store.lots.totals(lot.key) if total.kind == "lemon")
+    assert (lemons.fruit, lemons.measured) == (2, 1)
+    assert store.commit(lot.key, made_fruit(9), ()).number == 5
+
+
+@pytest.mark.parametrize("kind", ["", "  ", "x" * 65, "two\nlines"])
+def test_a_kind_is_a_printable_word(store: Store, lot: Lot, kind: str) -> None:
+    key = store.commit(lot.key, made_fruit(0), ()).key
+    with pytest.raises(InputError):
+        store.corrections.name([key], kind)
+    assert store.corrections.of(key) == ()
+
+
+Step = st.tuples(st.sampled_from(["count", "name", "leave_out", "put_back", "add"]), st.integers(0, 30))
+
+
+@settings(max_examples=15, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.lists(Step, min_size=1, max_size=25))
+def test_totals_always_equal_the_fruit_that_they_sum_up(store: Store, steps: list[tuple[str, int]]) -> None:
+    lot = store.lots.start(LotPlan("any"))
+    keys: list[int] = []
+    for what, number in steps:
+        chosen = [keys[number % len(keys)]] if keys else []
+        if what == "count":
+            keys.append(store.commit(lot.key, made_fruit(number), ()).key)
+        elif what == "add":
+            keys.append(store.corrections.add(lot.key, KINDS[number % 4]))
+        elif what == "name":
+            store.corrections.name(chosen, KINDS[number % 4])
+        elif what == "leave_out":
+            store.corrections.leave_out(chosen)
+        else:
+            store.corrections.put_back(chosen)
+    store.lots.end(lot.key)
+    there = [one for one in store.fruit.walk(lot.key) if one.counted]
+    totals = store.lots.totals(lot.key)
+    assert {one.kind: one.fruit for one in totals} == Counter(one.kind for one in there)
+    for total in totals:
+        volumes = [one.volume_m3 for one in there if one.kind == total.kind and one.volume_m3 is not None]
+        assert total.measured == len(volumes)
+        assert total.volume_m3.value == pytest.approx(sum(one.value for one in volumes), rel=1e-12)
+        assert total.volume_m3.std == pytest.approx(math.sqrt(sum(one.std**2 for one in volumes)), rel=1e-12)
+
+
+@pytest.mark.parametrize("bins", [1, 10, 40])
+def test_a_distribution_counts_every_measured_fruit_in_round_bins(store: Store, lot: Lot, bins: int) -> None:
+    _fill(store, lot, range(200))
+    spread = store.fruit.distribution(lot.key, "volume_m3", bins)
+    volumes = np.array([made_fruit(n).volume_m3.value for n in range(200)])
+    np.testing.assert_array_equal(sum(spread.counts.values()), np.histogram(volumes, spread.edges)[0])
+    assert spread.counts[KINDS[0]].sum() == 50
+    assert len(spread.edges) - 1 <= bins + 1
+    assert f"{spread.edges[1] - spread.edges[0]:.0e}"[0] in "125"
+
+
+def test_a_distribution_of_equal_or_of_no_fruit(store: Store, lot: Lot) -> None:
+    assert len(store.fruit.distribution(lot.key, "mass_kg").edges) == 0
+    store.counting.commit_batch(lot.key, [(made_fruit(1), ())] * 3)
+    spread = store.fruit.distribution(lot.key, "volume_m3")
+    assert sum(spread.counts.values()).tolist() == [3]
+
+
+def test_a_lot_as_csv_has_units_and_what_was_left_out(store: Store, lot: Lot, tmp_path: Path) -> None:
+    _fill(store, lot, range(5))
+    keys = [one.key for one in store.fruit.walk(lot.key)]
+    store.corrections.leave_out(keys[:1])
+    store.corrections.name(keys[1:2], "quince")
+    store.corrections.add(lot.key, "lemon")
+    path = tmp_path / "lot.csv"
+    assert write_lot(store, lot.key, path) == 6
+    rows = list(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
+    assert tuple(rows[0]) == HEADER
+    assert [row["counted"] for row in rows] == ["0", "1", "1", "1", "1", "1"]
+    assert (rows[1]["kind"], rows[1]["machine_kind"]) == ("quince", KINDS[1])
+    assert float(rows[2]["volume_ml"]) == pytest.approx(made_fruit(2).volume_m3.value * 1e6, rel=1e-5)
+    assert rows[2]["counted_at_utc"] == "2027-01-15T08:00:00.000+00:00"
+    assert rows[5]["volume_ml"] == rows[5]["machine_kind"] == ""
+
+
+def test_an_export_that_was_stopped_leaves_no_file(store: Store, lot: Lot, tmp_path: Path) -> None:
+    store.counting.commit_batch(lot.key, [(made_fruit(0, views=1), ())] * 2500)
+    before = set(tmp_path.iterdir())
+    with pytest.raises(CancelledByUserError):
+        write_lot(store, lot.key, tmp_path / "lot.csv", cancelled=lambda: True)
+    assert set(tmp_path.iterdir()) == before
+
+
+def test_a_report_holds_what_one_would_hand_to_a_grower(store: Store, lot: Lot, clock: Clock) -> None:
+    _fill(store, lot, range(30))
+    clock.now_s += 600
+    keys = [one.key for one in store.fruit.walk(lot.key)]
+    store.corrections.leave_out(keys[:2])
+    store.corrections.name(keys[2:5], "quince")
+    report = report_lot(store, lot.key, clock.now_s)
+    assert (report.fruit, report.left_out, report.corrected, report.ran_s) == (28, 2, 5, 600)
+    assert report.volume_m3.value == pytest.approx(sum(one.volume_m3.value for one in report.kinds))
+    assert report.volume_m3.std < sum(one.volume_m3.std for one in report.kinds)
+    assert sum(counts.sum() for counts in report.spread["mass_kg"].counts.values()) == report.weighed
+
+
+def test_reading_goes_on_while_another_thread_writes(tmp_path: Path) -> None:
+    with open_store(tmp_path) as store:
+        lot = store.lots.start(LotPlan("both"))
+        _fill(store, lot, range(10))
+        walk = store.fruit.walk(lot.key)
+        next(walk)
+        store.commit(lot.key, made_fruit(11), ())
+        assert len(list(walk)) == 9, "a walk sees the lot as it was when it began"
