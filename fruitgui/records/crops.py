@@ -30,7 +30,7 @@ class Crops:
         self._now_s = now_s
 
     def keep(self, owner: Owner, crops: Sequence[tuple[int, Crop]]) -> None:
-        """Keep crops, each with the key of its fruit; those of the same number and content are replaced.
+        """Keep crops, each with the key of its fruit; all that were kept of those fruit before are replaced.
 
         Raises:
             WorldError: they cannot be kept; none is.
@@ -38,10 +38,10 @@ class Crops:
         if not crops:
             return
         kept_s = self._now_s()
+        keys = {key for key, _ in crops}
         with self._database.writing() as session:
-            session.execute(
-                insert(CropRow).prefix_with("OR REPLACE"), [_values(owner, key, crop, kept_s) for key, crop in crops]
-            )
+            session.execute(delete(CropRow).where(CropRow.owner == owner, CropRow.owner_id.in_(keys)))
+            session.execute(insert(CropRow), [_values(owner, key, crop, kept_s) for key, crop in crops])
 
     def of(self, owner: Owner, key: int) -> tuple[Crop, ...]:
         """Return the crops of one fruit, in order of their numbers; none where they aged out."""
@@ -76,8 +76,10 @@ class Crops:
     def age_out(self, days: float, cancelled: Cancelled = never_cancelled) -> int:
         """Remove the crops of counted fruit that are older, and give their room back to the disk; return how many.
 
-        Counting goes on meanwhile. Stops early, without harm, when cancelled.
+        Counting goes on meanwhile. Stops early, without harm, when cancelled. Zero days or fewer keep all.
         """
+        if days <= 0:
+            return 0
         before_s = self._now_s() - days * DAY_S
         gone, more = 0, True
         while more and not cancelled():

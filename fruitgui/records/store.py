@@ -8,13 +8,15 @@ from pathlib import Path
 from types import TracebackType
 
 from fruitgui.errors import WorldError
+from fruitgui.records.condition import set_aside
 from fruitgui.records.correcting import Corrections
 from fruitgui.records.counting import Counting
 from fruitgui.records.crops import Crops
 from fruitgui.records.fruit_search import CountedFruits
 from fruitgui.records.lots import Lots
-from fruitgui.records.migrating import PICTURES, RECORDS, bring_up_to_date
+from fruitgui.records.migrating import PICTURES, RECORDS, bring_up_to_date, version_of
 from fruitgui.records.models import Models
+from fruitgui.records.restore import finish_restore
 from fruitgui.records.settings_history import SettingsHistory
 from fruitgui.records.teaching import Teaching
 from fruitgui.station.fruit import Fruit
@@ -41,6 +43,9 @@ class Store:
 
     def __init__(self, folder: Path, now_s: Callable[[], float] = time.time) -> None:
         self.folder = folder
+        finish_restore(folder)
+        if version_of(folder / RECORDS.file) is None and (folder / PICTURES.file).exists():
+            set_aside(folder / PICTURES.file)  # of other records: new fruit would be shown with old pictures
         self._records = bring_up_to_date(folder / RECORDS.file, RECORDS)
         try:
             self._pictures = bring_up_to_date(folder / PICTURES.file, PICTURES)
