@@ -13,6 +13,7 @@ from pathlib import Path
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 from fruitgui.simulation import scenes
 from fruitgui.simulation.simulation import Simulation
+from fruitgui.simulation.stock import STRANGE
 
 PROCESSES = 2
 
@@ -28,6 +29,7 @@ class Act:
         fruit: how many pieces; foreign: how many foreign objects among them.
         speed_m_s: of the belt; zero for a still scene.
         touching: share of fruit that touch another.
+        foreign_kinds: foreign objects are drawn from these.
         conditions: light and sensors.
     """
 
@@ -38,6 +40,7 @@ class Act:
     foreign: int = 0
     speed_m_s: float = 0.0
     touching: float = 0.0
+    foreign_kinds: tuple[str, ...] = STRANGE
     conditions: scenes.Conditions = scenes.USUAL
 
     @cached_property
@@ -49,7 +52,7 @@ class Act:
             )
         return scenes.line_scene(
             self.seed, fruit=self.fruit, foreign=self.foreign, speed_m_s=self.speed_m_s, touching=self.touching,
-            conditions=self.conditions, rig_seed=self.rig_seed,
+            foreign_kinds=self.foreign_kinds, conditions=self.conditions, rig_seed=self.rig_seed,
         )  # fmt: skip
 
     def path(self, folder: Path) -> Path:

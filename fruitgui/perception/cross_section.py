@@ -33,7 +33,7 @@ SURE = 0.5
 LEAST = 50
 """Of fewer points nothing is told."""
 
-LOOKED_AT = 600
+LOOKED_AT = 300
 """Points that a direction is found from."""
 
 TURNS_RAD = (np.radians(np.arange(-8.0, 8.1, 0.8)), np.radians(np.arange(-0.6, 0.7, 0.15)))

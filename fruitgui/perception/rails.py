@@ -126,8 +126,8 @@ class _Group:
         """
         line = Line.through(places_px)
         there = line.coordinates(places_px)[0]
-        v, u = np.divmod(np.flatnonzero(self.inside), self.inside.shape[1])
-        along = (u - line.place[0]) * line.along[0] + (v - line.place[1]) * line.along[1] - there.min()
+        own = cv2.findNonZero(self.inside).reshape(-1, 2).astype(np.float32)
+        along = (own - line.place.astype(np.float32)) @ line.along.astype(np.float32) - np.float32(there.min())
         widths = np.bincount(along[(along >= 0.0) & (along < np.floor(np.ptp(there)))].astype(np.intp))
         widths.sort()
         return float(widths[len(widths) // 10] / max(widths[len(widths) // 2], 1))

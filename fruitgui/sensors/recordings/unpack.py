@@ -8,7 +8,9 @@ from typing import Any, BinaryIO
 
 from fruitgui.sensors.recordings.raw import MAX_WHOLE_BYTES, MalformedError
 
-_PIECE = 4 * 1024 * 1024
+_PIECE = 8 * 1024 * 1024
+"""More than our own chunks hold: what comes out in one piece need not be put together."""
+
 _PACKED_PIECE = 128 * 1024
 
 
