@@ -116,10 +116,8 @@ def read_json(path: Path) -> Any:  # noqa: ANN401 - JSON is any
             file=path,
             where=where,
         ) from error
-    except RecursionError as error:
+    except (RecursionError, ValueError) as error:  # ValueError: an integer of thousands of digits
+        why = "nests too deeply" if isinstance(error, RecursionError) else "holds a number that is far too long"
         raise InputError(
-            "not_json",
-            f"{path} nests too deeply to be one of our files.",
-            "Name a file that this program wrote.",
-            file=path,
+            "not_json", f"{path} {why} to be one of our files.", "Name a file that this program wrote.", file=path
         ) from error

@@ -133,21 +133,22 @@ def _guesses(source: Scan, target: Scan, seed: int) -> list[Pose]:
     guesses: list[Pose] = []
     for k in range(GUESSES):
         o3d.utility.random.seed(1000 * seed + k)
-        found = registration.registration_ransac_based_on_feature_matching(
-            source.thin,
-            target.thin,
-            source.features,
-            target.features,
-            mutual_filter=True,
-            max_correspondence_distance=1.5 * VOXEL_M,
-            estimation_method=registration.TransformationEstimationPointToPoint(False),
-            ransac_n=3,
-            checkers=[
-                registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
-                registration.CorrespondenceCheckerBasedOnDistance(1.5 * VOXEL_M),
-            ],
-            criteria=registration.RANSACConvergenceCriteria(8_000, 0.999),
-        )
+        with o3d.utility.VerbosityContextManager(o3d.utility.VerbosityLevel.Error):  # its warnings go to our output
+            found = registration.registration_ransac_based_on_feature_matching(
+                source.thin,
+                target.thin,
+                source.features,
+                target.features,
+                mutual_filter=True,
+                max_correspondence_distance=1.5 * VOXEL_M,
+                estimation_method=registration.TransformationEstimationPointToPoint(False),
+                ransac_n=3,
+                checkers=[
+                    registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
+                    registration.CorrespondenceCheckerBasedOnDistance(1.5 * VOXEL_M),
+                ],
+                criteria=registration.RANSACConvergenceCriteria(8_000, 0.999),
+            )
         matrix = np.asarray(found.transformation)
         pose = Pose(matrix[:3, :3].copy(), matrix[:3, 3].copy())
         if found.fitness > 0 and not any(not _differs(pose, other) for other in guesses):

@@ -13,6 +13,9 @@ from fruitgui.errors import InputError
 if TYPE_CHECKING:
     from fruitgui.station.source import RecordingSource
 
+LONGEST_OFFSET_S = 1e10
+"""Clocks that count from different years differ by less; beyond it a double has no milliseconds left."""
+
 Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 
@@ -48,6 +51,10 @@ def _clock_offsets(texts: list[str]) -> dict[str, float]:
         if not name or not sign:
             raise InputError("usage", f"--clock-offset {text!r} is not S=SECONDS.", "Example: --clock-offset k2=0.25")
         offsets[name] = finite(seconds, f"--clock-offset {name}")
+        if abs(offsets[name]) > LONGEST_OFFSET_S:
+            raise InputError(
+                "usage", f"--clock-offset {name}={seconds} cannot be.", f"Give at most {LONGEST_OFFSET_S:g} seconds."
+            )
     return offsets
 
 

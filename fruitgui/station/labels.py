@@ -57,7 +57,7 @@ def read_labels(path: Path) -> LabelFile:
     Raises:
         InputError: the file cannot be read, has no such header, or no usable row.
     """
-    reader = csv.DictReader(io.StringIO(read_text(path), newline=""), strict=True)
+    reader = csv.DictReader(io.StringIO(read_text(path), newline=""), strict=True, skipinitialspace=True)
     labels: list[Label] = []
     warnings: list[str] = []
     try:

@@ -41,7 +41,7 @@ def read_poses(path: Path) -> tuple[KnownPose, ...]:
     Raises:
         InputError: the file cannot be read, or a row that is not a pose, with its line.
     """
-    reader = csv.DictReader(io.StringIO(read_text(path), newline=""), strict=True)
+    reader = csv.DictReader(io.StringIO(read_text(path), newline=""), strict=True, skipinitialspace=True)
     try:
         missing = [name for name in COLUMNS if name not in (reader.fieldnames or ())]
         if missing:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -119,16 +120,36 @@ def recover_recording(cut: Path, out: Path, progress: Progress = no_progress) ->
     """Write everything sound of a cut recording into a good one.
 
     Raises:
-        InputError: nothing in it can be read.
+        InputError: nothing in it can be read, or not one frame; then nothing is written.
         WorldError: the file cannot be written.
     """
     progress(0.0, f"Reading {cut.name}")
+    foreign = _is_foreign(cut)
     saved = recover(cut, out)
     warnings = [f"{saved.bytes_unread} bytes at the end of {cut} could not be used."] if saved.bytes_unread else []
     warnings += [f"{count} damaged parts were left out: {cause}." for cause, count in saved.damaged.items()]
     frames: Counter[str] = Counter()
     times_s: list[float] = []
+    if foreign:
+        warnings.append(f"{out} holds {saved.messages} messages; name the topics of its sensors with --topics.")
+        return Recorded({}, 0.0, tuple(warnings))
     for time_s, frame in open_recording(out).frames():
         frames[frame.sensor] += 1
         times_s.append(time_s)
     return Recorded(dict(frames), max(times_s, default=0.0) - min(times_s, default=0.0), tuple(warnings))
+
+
+def _is_foreign(path: Path) -> bool:
+    """Tell whether the topics of a recording have other names than ours: it is saved without a look at its frames.
+
+    Raises:
+        InputError: the names are ours, and not one frame can be read.
+    """
+    try:
+        with contextlib.closing(open_recording(path).frames()) as frames:
+            next(frames, None)
+    except InputError as error:
+        if error.code != "no_sensor":
+            raise
+        return True
+    return False

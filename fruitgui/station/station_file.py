@@ -25,8 +25,18 @@ SENSOR_ID = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}")
 FARTHEST_M = 1000.0
 """No rig is larger; a translation beyond it is a slip of units or of the file."""
 
+FASTEST_M_S = 10.0
+LONGEST_OFFSET_S = 1e10
+"""Clocks that count from different years differ by less; beyond it a double has no milliseconds left."""
+
+LEAST_REGION_M2 = 1e-4
+"""No fruit lies on less than a square centimetre: such a region is a line, a point or a slip of units."""
+
 Metres = Annotated[FiniteFloat, Field(ge=-FARTHEST_M, le=FARTHEST_M)]
 Vector = Annotated[list[Metres], Field(min_length=3, max_length=3)]
+Speed = Annotated[FiniteFloat, Field(ge=-FASTEST_M_S, le=FASTEST_M_S)]
+Velocity = Annotated[list[Speed], Field(min_length=3, max_length=3)]
+Offset = Annotated[FiniteFloat, Field(ge=-LONGEST_OFFSET_S, le=LONGEST_OFFSET_S)]
 UnitRow = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
 Matrix3 = Annotated[list[UnitRow], Field(min_length=3, max_length=3)]
 CovarianceRow = Annotated[list[FiniteFloat], Field(min_length=6, max_length=6)]
@@ -34,7 +44,8 @@ Matrix6 = Annotated[list[CovarianceRow], Field(min_length=6, max_length=6)]
 
 
 class _Part(BaseModel):
-    model_config = ConfigDict(extra="ignore")
+    # Strict: neither "1.0" nor true is a number.
+    model_config = ConfigDict(extra="ignore", strict=True)
 
 
 class PosePart(_Part):
@@ -77,6 +88,8 @@ class SurfacePart(_Part):
             raise ValueError(f"normal has length {length:.4g}, not 1")
         if self.offset_m == 0.0:
             raise ValueError("the plane goes through the sensor itself")
+        if self.region is not None and _area_m2(self.surface()) < LEAST_REGION_M2:
+            raise ValueError("the region has no area")
         return self
 
     def surface(self) -> Surface:
@@ -84,6 +97,13 @@ class SurfacePart(_Part):
         length = float(np.linalg.norm(self.normal))
         plane = Plane(np.array(self.normal) / length, self.offset_m / length).facing(np.zeros(3))
         return Surface(plane, None if self.region is None else plane.foot(np.array(self.region)))
+
+
+def _area_m2(surface: Surface) -> float:
+    """Return the area that the region's corners, in their order, go round."""
+    assert surface.region_m is not None  # noqa: S101 - asked only where there is one
+    corners = surface.region_m - surface.region_m[0]
+    return 0.5 * abs(float(np.cross(corners[:-1], corners[1:]).sum(axis=0) @ surface.plane.normal))
 
 
 class CorrectionPart(_Part):
@@ -101,7 +121,7 @@ class SensorPart(_Part):
     serial: str | None = None
     pose: PosePart
     surface: SurfacePart
-    clock_offset_s: FiniteFloat = 0.0
+    clock_offset_s: Offset = 0.0
     depth_correction: CorrectionPart | None = None
     quality: dict[str, Any] = {}
 
@@ -117,7 +137,7 @@ class SensorPart(_Part):
 class BeltPart(_Part):
     """The belt as the file has it."""
 
-    velocity_m_s: Vector | None = None
+    velocity_m_s: Velocity | None = None
 
 
 class StationPart(_Part):

@@ -167,7 +167,7 @@ def open_recording(
     found = _wanted_sensors(path, known, sensors)
     decoders, faults = _decoders(found, seen)
     if not decoders:
-        raise faults[0].as_input_error(str(path))
+        raise _nothing_usable(path, faults[0], container)
     if len(decoders) > MAX_SENSORS:
         raise InputError(
             "too_many_sensors",
@@ -179,6 +179,16 @@ def open_recording(
     unstamped = [sensor for sensor in decoders if seen.unstamped(found[sensor].depth)]
     warnings = _warnings(path, faults, unstamped)
     return Recording(path, container, decoders, found, infos, clock_offsets or {}, warnings, unstamped, known)
+
+
+def _nothing_usable(path: Path, fault: UnusableSensorError, container: Container) -> InputError:
+    """Return why no sensor can be read; damage of the file is the likelier cause where there is some."""
+    damage = Tally(soundness=container.soundness).warnings(path)
+    error = fault.as_input_error(str(path))
+    if not damage:
+        return error
+    what = f"{error.what} {' '.join(damage)}"
+    return InputError(error.code, what, "Copy the file again, or record again.", file=path, where=error.where)
 
 
 def _warnings(path: Path, faults: Sequence[UnusableSensorError], unstamped: Sequence[str]) -> list[str]:

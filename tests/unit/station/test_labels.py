@@ -29,6 +29,12 @@ def test_a_byte_order_mark_and_quotes_are_no_trouble(tmp_path: Path) -> None:
     assert read_labels(written(tmp_path, text)).labels[0].kind == "apple, red"
 
 
+def test_spaces_after_the_commas_are_no_trouble(tmp_path: Path) -> None:
+    text = HEADER.replace(",", ", ") + "\nk1, 1, 2, 3, lemon, 4\n"
+    label = read_labels(written(tmp_path, text)).labels[0]
+    assert (label.kind, label.volume_ml) == ("lemon", 4.0)
+
+
 @pytest.mark.parametrize(
     "row",
     ["k1,x,2,3,a,", "k1,nan,2,3,a,", "k1,1,inf,3,a,", "k1,1,2,3,,", ",1,2,3,a,", "k1,1,2,3,a,-4", "k1,1,2,3,a,much",

@@ -128,9 +128,15 @@ LOPSIDED = (np.eye(6) + np.eye(6, k=1)).tolist()
         _set("sensors.b.surface.offset_m", float("nan")),
         _set("sensors.b.surface.region", [[0, 0, 1]]),
         _set("sensors.b.surface.region", [[0, 0]] * 4),
+        _set("sensors.b.surface.region", [[0, 0, 1]] * 4),
+        _set("sensors.b.surface.region", [[-0.3, 0, 1], [0, 0, 1], [0.3, 0, 1]]),
         _set("sensors.b.clock_offset_s", "soon"),
+        _set("sensors.b.clock_offset_s", "1.0"),
+        _set("sensors.b.clock_offset_s", True),
+        _set("sensors.b.clock_offset_s", 1e18),
         _set("sensors.b.depth_correction", {"scale": -1}),
         _set("belt", {"velocity_m_s": [0.1]}),
+        _set("belt", {"velocity_m_s": [0, -300, 0]}),
         _set("model", 3),
     ],
 )
@@ -151,8 +157,10 @@ def test_what_cannot_be_is_named_and_refused(tmp_path: Path, where: str, to: obj
 
 
 @pytest.mark.parametrize(
-    "data", [b"", b"{", b"[1]", b"null", b"\xff\xfe\x00", b"PK\x03\x04", b"[" * 100_000, b'{"schema": 1e999}', b"NaN"]
-)
+    "data",
+    [b"", b"{", b"[1]", b"null", b"\xff\xfe\x00", b"PK\x03\x04", b"[" * 100_000, b'{"schema": 1e999}', b"NaN",
+     b'{"schema": ' + b"9" * 5000 + b"}"],
+)  # fmt: skip
 def test_a_file_that_is_no_station_is_refused(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "station.json"
     path.write_bytes(data)
