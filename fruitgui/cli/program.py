@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 import sys
 from collections.abc import Sequence
@@ -38,6 +39,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     console = Console(as_json="--json" in given)
     try:
+        return _told(given, console)
+    except OSError as error:
+        return _failed_outside(error, console)
+
+
+def _told(given: list[str], console: Console) -> int:
+    """Run one command and tell how it ended; return its exit code."""
+    try:
         code = _run(given, console)
         sys.stdout.flush()
     except FruitguiError as error:
@@ -47,15 +56,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
         stopped = CancelledByUserError()
         console.error(stopped)
         return stopped.exit_code
-    except BrokenPipeError:
-        # Whoever read our output has gone; there is nobody left to tell.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return WorldError.exit_code
     except MemoryError:
         full = WorldError("out_of_memory", "The machine has no memory left for this.", "Close other programs.")
         console.error(full)
         return full.exit_code
     return code
+
+
+def _failed_outside(error: OSError, console: Console) -> int:
+    """Say what the system refused, as far as anyone can still be told; return the exit code."""
+    with contextlib.suppress(OSError):
+        if not isinstance(error, BrokenPipeError):  # whoever read our output has gone and needs no reason
+            what = f"The system refused: {error.strerror or error}."
+            console.error(WorldError("system", what, "Check that the disk has room and is there.", file=error.filename))
+    with contextlib.suppress(OSError):  # what is still unsaid must not fail once more at the very end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return WorldError.exit_code
 
 
 def _one_thread_per_matrix() -> None:

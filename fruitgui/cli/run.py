@@ -29,9 +29,10 @@ def add(commands: Commands) -> None:
 def run(options: argparse.Namespace, console: Console) -> int:
     """Run the line over the recording and write the report."""
     from fruitgui.station.report import summary_lines, write_report
-    from fruitgui.station.run_job import RunOptions, run_recording
+    from fruitgui.station.run_job import RunOptions, named_model, run_recording
 
     out = check_output(options.report, [options.recording, options.station, options.model])
+    check_output(out, [named_model(options.station)])
     wishes = RunOptions(options.model, options.paper, _belt_speed(options.belt_speed))
     report = run_recording(source(options, options.recording), options.station, wishes, console.progress)
     write_report(out, report)

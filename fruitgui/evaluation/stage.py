@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
-from multiprocessing import get_context
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 
-from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+from fruitgui.progress import Cancelled, Progress, deaf_children, never_cancelled, no_progress, stop_if
 from fruitgui.simulation import scenes
 from fruitgui.simulation.simulation import Simulation
 from fruitgui.simulation.stock import STRANGE
@@ -76,13 +77,23 @@ def record_acts(
         CancelledByUserError: `cancelled` said so; what was not begun is not made.
         WorldError: a file cannot be written.
     """
-    with ProcessPoolExecutor(PROCESSES, mp_context=get_context("spawn")) as pool:
-        jobs = [pool.submit(_record, act, folder) for act in acts]
+    with ProcessPoolExecutor(PROCESSES, mp_context=multiprocessing.get_context("spawn")) as pool:
+        others = set(multiprocessing.active_children())
+        with deaf_children():
+            jobs = [pool.submit(_record, act, folder) for act in acts]
         try:
             _wait(jobs, progress, cancelled)
-        finally:
-            for job in jobs:
-                job.cancel()
+        except BaseException:
+            _end(jobs, set(multiprocessing.active_children()) - others)
+            raise
+
+
+def _end(jobs: Sequence[Future[None]], renderers: Iterable[BaseProcess]) -> None:
+    """Leave undone what is not done: a renderer would go on for half a minute before anyone could leave."""
+    for job in jobs:
+        job.cancel()
+    for renderer in renderers:
+        renderer.terminate()
 
 
 def _wait(jobs: Sequence[Future[None]], progress: Progress, cancelled: Cancelled) -> None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import multiprocessing
 import os
-import signal
 import time
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
@@ -18,6 +18,7 @@ from fruitgui.frame import Frame, Intrinsics
 from fruitgui.geometry.plane import Surface
 from fruitgui.perception.perceiver import Perceiver
 from fruitgui.perception.view import Observation
+from fruitgui.progress import deaf_children
 from fruitgui.sensors.frame_memory import BYTES_PER_PIXEL, frame_maps, lay
 
 WORTH_IT = 40
@@ -154,7 +155,8 @@ class Helper:
             target=help_perceiving, args=(dict(eyes), theirs, self._memory.name, self._room), daemon=True
         )
         try:
-            self._process.start()
+            with deaf_children():
+                self._process.start()
         except OSError:
             self._give_back()
             raise
@@ -217,13 +219,12 @@ class Helper:
 
     def _give_back(self) -> None:
         self._memory.close()
-        self._memory.unlink()
+        with contextlib.suppress(FileNotFoundError):  # swept away by someone else
+            self._memory.unlink()
 
 
 def help_perceiving(eyes: Mapping[str, Eye], pipe: Connection, memory_name: str, room: int) -> None:
     """Perceive what comes through the pipe, until it is closed; the main of the helper's process."""
-    # An interrupt from the keyboard reaches both processes; it is the other one that ends this one.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
     memory = SharedMemory(memory_name)
     perceivers = {sensor: eye.perceiver() for sensor, eye in eyes.items()}
     try:

@@ -52,6 +52,16 @@ def model_of(station: Station, station_path: Path, given: Path | None) -> Model 
     return None if given is None else read_model(given, FEATURES)
 
 
+def named_model(station_path: Path) -> Path | None:
+    """Return the model's file that a station names, beside it; None where it names none.
+
+    Raises:
+        InputError: the station cannot be used.
+    """
+    name = read_station(station_path).model
+    return None if name is None else station_path.parent / name
+
+
 def run_recording(
     source: RecordingSource,
     station_path: Path,

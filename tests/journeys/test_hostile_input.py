@@ -455,3 +455,13 @@ def test_a_full_disk_is_told_and_nothing_half_written_is_left(flat: tuple[Path, 
     assert "Traceback" not in done.stderr
     assert "r.json" in json.loads(done.stdout)["error"]["file"]
     assert list(folder.iterdir()) == []
+
+
+def test_the_model_that_a_station_names_is_not_written_over(
+    good: Good, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    station, model = tmp_path / "station.json", tmp_path / "kept.model"
+    model.write_bytes(good.model.read_bytes())
+    station.write_text(json.dumps(json.loads(good.station.read_text()) | {"model": model.name}))
+    refuse(capsys, "run", good.recording, "--station", station, "--report", model, file=None)
+    assert model.read_bytes() == good.model.read_bytes()
