@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -99,14 +99,41 @@ def calibrate_recording(
     recording = source.open()
     check_reference(recording, reference, source.path)
     stills = read_stills(recording, progress, cancelled)
-    result = calibrate(stills, reference, lambda share, doing: progress(0.3 + 0.7 * share, doing), cancelled)
-    warnings = (*recording.warnings, *result.warnings)
-    if isinstance(result, Refusal):
-        return CalibrationOutcome(None, result.sensors, result.pairs, result.reasons, warnings)
     serials = {name: info.serial for name, info in recording.sensors.items()}
-    station = station_of(result, serials, source.clock_offsets_s)
-    write_station(out, station)
-    return CalibrationOutcome(station, result.sensors, result.pairs, (), warnings)
+    outcome = calibrate_stills(
+        stills, reference, serials, source.clock_offsets_s,
+        lambda share, doing: progress(0.3 + 0.7 * share, doing), cancelled,
+    )  # fmt: skip
+    if outcome.station is not None:
+        write_station(out, outcome.station)
+    return replace(outcome, warnings=(*recording.warnings, *outcome.warnings))
+
+
+def calibrate_stills(
+    stills: Mapping[str, Sequence[Frame]],
+    reference: str | None,
+    serials: Mapping[str, str],
+    clock_offsets_s: Mapping[str, float] | None = None,
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+) -> CalibrationOutcome:
+    """Calibrate from frames of a still scene; nothing is written.
+
+    Args:
+        stills: by sensor; the reference is the first unless named.
+        reference: the sensor in whose frame all is measured.
+        serials, clock_offsets_s: by sensor, kept in the station.
+        progress, cancelled: as for any job.
+
+    Raises:
+        InputError: no sensors, no frames of one, or an unknown reference.
+        CancelledByUserError: `cancelled` said so.
+    """
+    result = calibrate(stills, reference, progress, cancelled)
+    if isinstance(result, Refusal):
+        return CalibrationOutcome(None, result.sensors, result.pairs, result.reasons, tuple(result.warnings))
+    station = station_of(result, serials, clock_offsets_s or {})
+    return CalibrationOutcome(station, result.sensors, result.pairs, (), tuple(result.warnings))
 
 
 def check_reference(recording: Recording, reference: str | None, path: Path) -> None:

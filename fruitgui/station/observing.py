@@ -12,8 +12,8 @@ from fruitgui.frame import Frame
 from fruitgui.geometry.rig import Rig
 from fruitgui.perception.view import Observation
 from fruitgui.progress import Cancelled, never_cancelled, stop_if
-from fruitgui.station.crew import Crew, Eye, Task
-from fruitgui.station.matching import match_sensors
+from fruitgui.station.crew import Crew, Task
+from fruitgui.station.lineup import line_up
 from fruitgui.station.rig_watch import RigWatch
 from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station
@@ -55,20 +55,11 @@ class Watching:
             InputError: it cannot be used, or has no sensor of the station.
         """
         self._recording = source.open()
-        self._matching = match_sensors(station, self._recording.sensors.values())
+        self._lineup = line_up(station, self._recording.sensors.values(), source.clock_offsets_s)
         self._given_s = source.clock_offsets_s
-        self._offsets_s = {
-            sensor: self._given(sensor, station.sensors[name].clock_offset_s) for sensor, name in self._names()
-        }
-        self._corrections = {
-            sensor: correction
-            for sensor, name in self._names()
-            if (correction := station.sensors[name].depth_correction) is not None
-        }
-        cameras = {name: self._recording.sensors[sensor].intrinsics for sensor, name in self._names()}
-        self.rig: Rig = station.rig(cameras)
+        self._offsets_s = dict(self._lineup.offsets_s)
+        self.rig: Rig = self._lineup.rig
         self.rig_watch = RigWatch(self.rig)
-        self._eyes = {sensor: Eye(name, cameras[name], self.rig.mounts[name].surface) for sensor, name in self._names()}
 
     def seen(
         self, watch: Stopwatch, cancelled: Cancelled = never_cancelled, known: Iterable[Seen] = ()
@@ -87,10 +78,10 @@ class Watching:
             InputError: not one frame can be read.
         """
         frames = self._recording.frames(
-            clock_offsets=self._offsets_s, corrections=self._corrections, ahead=FRAMES_AHEAD
+            clock_offsets=self._offsets_s, corrections=self._lineup.corrections, ahead=FRAMES_AHEAD
         )
         by_frame = {(one.recorded_as, one.frame_time_s): one.observation for one in known}
-        with contextlib.closing(frames), Crew(self._eyes) as crew:
+        with contextlib.closing(frames), Crew(self._lineup.eyes) as crew:
             for task in crew.perceived(self._tasks(frames, watch, cancelled, by_frame)):
                 frame, observation = task.frame, task.observation
                 assert observation is not None  # noqa: S101 - the crew gives it
@@ -115,7 +106,7 @@ class Watching:
             except StopIteration:
                 return
             watch.add("read", time.perf_counter() - began_s)
-            if frame.sensor in self._eyes:
+            if frame.sensor in self._lineup.eyes:
                 before = known.pop((frame.sensor, frame.time_s), None)
                 yield Task(time_s, frame, None if before is None else replace(before, time_s=time_s))
 
@@ -137,13 +128,8 @@ class Watching:
 
     def warnings(self) -> list[str]:
         """Return what a person should know of recording and station."""
-        return [*self._matching.warnings, *self._recording.warnings, *self.rig_watch.warnings]
+        return [*self._lineup.warnings, *self._recording.warnings, *self.rig_watch.warnings]
 
     def _names(self) -> list[tuple[str, str]]:
         """Return (the recording's id, the station's id) of every sensor in use."""
-        return list(self._matching.station_id.items())
-
-    def _given(self, sensor: str, otherwise_s: float) -> float:
-        """Return the offset that a person gave, by either of the sensor's ids."""
-        name = self._matching.station_id[sensor]
-        return self._given_s.get(sensor, self._given_s.get(name, otherwise_s))
+        return list(self._lineup.station_id.items())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator, Mapping, Sequence
+from collections.abc import Collection, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,8 +58,9 @@ def look_ahead(
     held = _hold_back(seen)
     observations = [one.observation for one in held]
     motion = belt_of_one_sensor(observations, watching.rig)
-    offsets_s = _clock_offsets(watching, observations, motion)
-    belt = _known_belt(station, belt_speed_m_s, motion)
+    given = [sensor for sensor in watching.rig.mounts if watching.clock_given(sensor)]
+    offsets_s = decided_offsets_s(observations, watching.rig, motion, given)
+    belt = known_belt(station, belt_speed_m_s, motion)
     if not offsets_s:
         return Prelude(watching, _again(held, seen), belt, ())
     seen.close()
@@ -95,23 +96,23 @@ def belt_of_one_sensor(observations: Sequence[Observation], rig: Rig) -> BeltMot
     return None
 
 
-def _clock_offsets(
-    watching: Watching, observations: Sequence[Observation], motion: BeltMotion | None
-) -> Mapping[str, float]:
-    """Return the offsets (by station id) that the fruit decide and that matter; none where a person gave the clock."""
-    if motion is None or len(watching.rig.mounts) < 2:
+def decided_offsets_s(
+    observations: Sequence[Observation], rig: Rig, motion: BeltMotion | None, given: Collection[str] = ()
+) -> dict[str, float]:
+    """Return the clock offsets (by station id) that the fruit decide and that matter; none of those `given`."""
+    if motion is None or len(rig.mounts) < 2:
         return {}
-    estimates = estimate_clock_offsets(observations, watching.rig, motion)
+    estimates = estimate_clock_offsets(observations, rig, motion)
     return {
         sensor: estimate.offset_s
         for sensor, estimate in estimates.items()
         if estimate.decided
-        and not watching.clock_given(sensor)
+        and sensor not in given
         and abs(estimate.offset_s) > max(LEAST_OFFSET_S, 3.0 * estimate.std_s)
     }
 
 
-def _known_belt(station: Station, belt_speed_m_s: float | None, motion: BeltMotion | None) -> BeltMotion | None:
+def known_belt(station: Station, belt_speed_m_s: float | None, motion: BeltMotion | None) -> BeltMotion | None:
     """Return the belt's motion as far as a person gave it: the direction may come from the fruit."""
     direction = station.velocity_m_s if station.velocity_m_s is not None else None
     if belt_speed_m_s is None:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import math
+import shutil
+import time
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,10 +14,16 @@ from typing import Any
 
 from fruitgui.errors import InputError
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+from fruitgui.sensors.feed import DropOldest, Feed
 from fruitgui.sensors.recordings import RecordingWriter, open_recording
 from fruitgui.sensors.recordings.recovery import recover
 from fruitgui.simulation.simulated import sensor_info
 from fruitgui.simulation.simulation import Simulation
+
+FRAMES_HELD = 60
+"""Frames of each sensor that wait while the disk is busy."""
+
+DISK_EVERY_S = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +92,53 @@ def _wanted(simulation: Simulation, sensors: Sequence[str] | None) -> list[str]:
             "Name some of these.",
         )
     return list(sensors or simulation.sensors)
+
+
+def record_feed(
+    feed: Feed,
+    out: Path,
+    seconds: float | None,
+    least_free_bytes: int,
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+) -> Recorded:
+    """Record what running sensors give, until the time is up, a person stops it, or the disk is nearly full.
+
+    Depth is written as the devices read it. Whatever ends the recording, what was recorded so far is whole and kept.
+
+    Args:
+        feed: of running sensors.
+        out: the file.
+        seconds: how long; None until `cancelled` says so.
+        least_free_bytes: the disk keeps so much room.
+        progress, cancelled: as for any job; being cancelled is how a recording is ended.
+
+    Raises:
+        WorldError: the file cannot be written.
+    """
+    counts = dict.fromkeys(feed.sensors, 0)
+    warnings: list[str] = []
+    began_s, checked_s = time.monotonic(), -math.inf
+    queue = feed.subscribe(DropOldest(FRAMES_HELD))
+    with contextlib.closing(queue), RecordingWriter(out, feed.infos.values()) as writer:
+        while not cancelled() and not queue.over:
+            now_s = time.monotonic()
+            if seconds is not None and now_s - began_s >= seconds:
+                break
+            if now_s - checked_s >= DISK_EVERY_S:
+                checked_s = now_s
+                if shutil.disk_usage(out.resolve().parent).free < least_free_bytes:
+                    warnings.append("The disk is nearly full: the recording was ended, and is whole up to there.")
+                    break
+            arrival = queue.take(0.1)
+            if arrival is not None:
+                writer.write(arrival.frame)
+                counts[arrival.frame.sensor] += 1
+                share = 0.0 if seconds is None else (now_s - began_s) / seconds
+                progress(share, f"Recorded {writer.frames_written} frames, {writer.bytes_written / 1e6:.0f} MB")
+    lost = {sensor: count for sensor, count in queue.dropped.items() if count}
+    warnings += [f"{count} frames of {sensor} were lost: the disk was too slow." for sensor, count in lost.items()]
+    return Recorded(counts, time.monotonic() - began_s, tuple(warnings))
 
 
 def record_simulated(

@@ -26,10 +26,12 @@ class RigWatch:
 
     Args:
         rig: as the station has it.
+        every: so manieth frame of a sensor is kept for a look at its belt.
     """
 
-    def __init__(self, rig: Rig) -> None:
+    def __init__(self, rig: Rig, every: int = EVERY_FRAMES) -> None:
         self._rig = rig
+        self._every = max(every, 2)
         self._counts: dict[str, int] = defaultdict(int)
         self._frames: dict[str, list[Frame]] = defaultdict(list)
         self._gaps: dict[tuple[str, str], deque[tuple[F64, F64]]] = defaultdict(lambda: deque(maxlen=FRUIT_KEPT))
@@ -40,10 +42,15 @@ class RigWatch:
         """What is stale, in words that begin with `calibration_stale`."""
         return list(self._said.values())
 
+    @property
+    def stale(self) -> dict[tuple[str, ...], str]:
+        """What is stale, in words, by the sensors that it concerns."""
+        return {tuple(names.split()): text for names, text in list(self._said.items())}
+
     def see_frame(self, sensor: str, frame: Frame) -> None:
         """Look at a frame of a station sensor, now and then."""
         self._counts[sensor] += 1
-        if self._counts[sensor] % EVERY_FRAMES != 1 or sensor in self._said:
+        if self._counts[sensor] % self._every != 1 or sensor in self._said:
             return
         self._frames[sensor].append(frame)
         if len(self._frames[sensor]) == FRAMES_PER_LOOK:

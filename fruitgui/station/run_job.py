@@ -13,7 +13,8 @@ from typing import Any
 from fruitgui.measurement.paper import paper_volume
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
 from fruitgui.station.fruit import Fruit
-from fruitgui.station.line import FEATURES, Line, PaperVolume
+from fruitgui.station.judging import FEATURES, PaperVolume
+from fruitgui.station.line import Line
 from fruitgui.station.model import Model, read_model
 from fruitgui.station.observing import Watching
 from fruitgui.station.prelude import Prelude, look_ahead

@@ -20,8 +20,8 @@ from fruitgui.measurement.correction import CorrectionFit, Reference, fit_correc
 from fruitgui.measurement.fruit import Size
 from fruitgui.measurement.size import measure
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
+from fruitgui.station.judging import FEATURES, evidence
 from fruitgui.station.labels import Label, read_labels
-from fruitgui.station.line import FEATURES, evidence
 from fruitgui.station.model import Model, write_model
 from fruitgui.station.observing import Watching
 from fruitgui.station.pointing import Pointer, assign

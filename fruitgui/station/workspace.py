@@ -10,8 +10,8 @@ from typing import TypeVar
 
 from fruitgui.errors import InputError, WorldError
 from fruitgui.station.connection import Connection
+from fruitgui.station.judging import FEATURES
 from fruitgui.station.kept_file import Damage, Kept, KeptFile, set_aside
-from fruitgui.station.line import FEATURES
 from fruitgui.station.model import Model, read_model, write_model
 from fruitgui.station.settings import Settings
 from fruitgui.station.station import Station

@@ -61,22 +61,24 @@ class Closing:
             return []
         if not self._resolver.counts(trail, crossed) or self._resolver.is_part(trail, others, self._rig):
             return []
-        track = self._track(trail)
+        track = track_of(trail, self._rig, self._settings)
         trail.surface_m = surface_m(trail, self._rig)
         trail.entries = []
         self._done.append(trail)
         return [track]
 
-    def _track(self, trail: Trail) -> Track:
-        entries = sorted(trail.entries, key=lambda entry: entry.time_s)
-        duration = entries[-1].time_s - entries[0].time_s
-        way = entries[-1].travelled_m - entries[0].travelled_m
-        return Track(
-            track=trail.number,
-            sightings=tuple(Sighting(entry.time_s, entry.view) for entry in entries),
-            path=smoothed_path(entries, self._rig, self._settings),
-            velocity_m_s=way / duration if duration > 0 else np.zeros(3),
-        )
+
+def track_of(trail: Trail, rig: Rig, settings: TrackerSettings) -> Track:
+    """Return the track of a trail that has a sighting: its path is smoothed, its sightings are in order of time."""
+    entries = sorted(trail.entries, key=lambda entry: entry.time_s)
+    duration = entries[-1].time_s - entries[0].time_s
+    way = entries[-1].travelled_m - entries[0].travelled_m
+    return Track(
+        track=trail.number,
+        sightings=tuple(Sighting(entry.time_s, entry.view) for entry in entries),
+        path=smoothed_path(entries, rig, settings),
+        velocity_m_s=way / duration if duration > 0 else np.zeros(3),
+    )
 
 
 def _places(trails: Sequence[Trail]) -> F64:

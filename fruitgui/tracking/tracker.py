@@ -8,10 +8,10 @@ import numpy as np
 
 from fruitgui.frame import F64, Bools, Ints
 from fruitgui.geometry.rig import Rig
-from fruitgui.perception.view import Observation
+from fruitgui.perception.view import FruitView, Observation
 from fruitgui.tracking.belt import BeltMotion
 from fruitgui.tracking.bodies import SMALLEST_M
-from fruitgui.tracking.closing import Closing
+from fruitgui.tracking.closing import Closing, track_of
 from fruitgui.tracking.field import FieldOfView
 from fruitgui.tracking.follow import BeltModel
 from fruitgui.tracking.matching import Pairs
@@ -79,6 +79,17 @@ class Tracker:
         self._trails: list[Trail] = []
         self._numbers = 0
         self._time_s = -np.inf
+        self._shown: list[tuple[FruitView, int]] = []
+
+    @property
+    def shown(self) -> tuple[tuple[FruitView, int], ...]:
+        """The views of the last observation that belong to a track, each with the track's number."""
+        return tuple(self._shown)
+
+    def so_far(self, number: int) -> Track | None:
+        """Return a fruit in view as if it had left now; None where none is followed under that number."""
+        trail = next((one for one in self._trails if one.number == number), None)
+        return None if trail is None else track_of(trail, self._rig, self._settings)
 
     @property
     def belt(self) -> BeltMotion | None:
@@ -136,6 +147,7 @@ class Tracker:
         return [track for seen in held for track in self._step(seen)]
 
     def _step(self, seen: Measured) -> list[Track]:
+        self._shown.clear()
         belt = self._belt
         assert belt is not None  # noqa: S101 - only called once the belt's model stands
         late = seen.time_s < self._time_s
@@ -218,6 +230,7 @@ class Tracker:
             cut=bool(seen.cut[view]),
         )
         trail.see(entry, seen.looks[view], float(seen.size_m[view]), self._settings.kept_views)
+        self._shown.append((seen.views[view], trail.number))
 
     def _keep_company(self, position_m: F64, depth_m: F64, hit: Bools, claims: Claims) -> None:
         """Count, for every two close tracks that this frame should show, whether it showed both, one or a group."""

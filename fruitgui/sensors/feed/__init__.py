@@ -3,7 +3,7 @@
 from fruitgui.sensors.feed.feed import Feed
 from fruitgui.sensors.feed.health import Running, SensorHealth
 from fruitgui.sensors.feed.order import ByArrival, ByCapture
-from fruitgui.sensors.feed.subscription import Arrival, DropOldest, Subscription, WaitForRoom
+from fruitgui.sensors.feed.subscription import Arrival, DropOldest, Room, Subscription, WaitForRoom
 
 __all__ = [
     "Arrival",
@@ -11,6 +11,7 @@ __all__ = [
     "ByCapture",
     "DropOldest",
     "Feed",
+    "Room",
     "Running",
     "SensorHealth",
     "Subscription",

@@ -32,7 +32,7 @@ class Feed:
         self.infos: dict[str, SensorInfo] = {sensor.info.sensor: sensor.info for sensor in sensors}
         if len(self.infos) != len(sensors):
             raise ValueError("two sensors have one name")
-        ears = Ears(self._hear, self._miss)
+        ears = Ears(self._hear, self._miss, self._end)
         self._readers = {sensor.info.sensor: Reader(sensor, ears) for sensor in sensors}
         self._subscriptions: tuple[Subscription, ...] = ()
         self._lock = threading.Lock()
@@ -87,7 +87,7 @@ class Feed:
             stopped = self._stopped
         for name, reader in self._readers.items():
             if reader.health().state is Running.ENDED:
-                subscription.absent(name)
+                subscription.end(name)
         if stopped:
             subscription.close()
         return subscription
@@ -99,3 +99,7 @@ class Feed:
     def _miss(self, sensor: str) -> None:
         for subscription in self._subscriptions:
             subscription.absent(sensor)
+
+    def _end(self, sensor: str) -> None:
+        for subscription in self._subscriptions:
+            subscription.end(sensor)

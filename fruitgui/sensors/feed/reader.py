@@ -26,10 +26,11 @@ FIRST_WAIT_S, LONGEST_WAIT_S = 0.5, 8.0
 
 @dataclass(frozen=True, slots=True)
 class Ears:
-    """Who hears of a sensor: of each frame, and of its falling silent; called on its own thread."""
+    """Who hears of a sensor: of each frame, of its falling silent, and of its end; called on its own thread."""
 
     frame: Callable[[Arrival], None]
     absent: Callable[[str], None]
+    end: Callable[[str], None]
 
 
 class Reader:
@@ -109,7 +110,7 @@ class Reader:
             self._stop.wait(wait_s)
         if self._state is not Running.ENDED:
             self._state = Running.STOPPED
-        self._ears.absent(self.name)
+        self._ears.end(self.name)
 
     def _session(self) -> FruitguiError | None:
         """Open and read until told to stop or the end; return what went wrong, if anything."""

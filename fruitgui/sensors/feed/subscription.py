@@ -79,6 +79,7 @@ class Subscription:
         self._room = room
         self._order = order or ByArrival()
         self._running = set(sensors)
+        self._ended: set[str] = set()
         self._dropped: Counter[str] = Counter()
         self._changed = threading.Condition()
         self._closed = False
@@ -95,9 +96,16 @@ class Subscription:
             self._changed.notify_all()
 
     def absent(self, sensor: str) -> None:
-        """Note that a sensor will give nothing for now: it ended, failed or fell silent."""
+        """Note that a sensor gives nothing for now: it failed or fell silent."""
         with self._changed:
             self._running.discard(sensor)
+            self._changed.notify_all()
+
+    def end(self, sensor: str) -> None:
+        """Note that a sensor will give nothing any more."""
+        with self._changed:
+            self._running.discard(sensor)
+            self._ended.add(sensor)
             self._changed.notify_all()
 
     def take(self, timeout_s: float) -> Arrival | None:
@@ -150,6 +158,7 @@ class Subscription:
         with self._changed:
             self._closed = True
             self._running.clear()
+            self._ended.update(self._queues)
             self._changed.notify_all()
 
     def _next(self, now_s: float) -> tuple[str | None, float]:
@@ -160,4 +169,4 @@ class Subscription:
         return self._order.next(heads, absent, now_s)
 
     def _is_over(self) -> bool:
-        return not self._running and not any(self._queues.values())
+        return len(self._ended) == len(self._queues) and not any(self._queues.values())

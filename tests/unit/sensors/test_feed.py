@@ -205,6 +205,21 @@ def test_a_sensor_that_failed_is_not_waited_for() -> None:
         assert [queue.take(5.0) is not None for _ in range(2)] == [True, True]
 
 
+def test_a_queue_is_not_over_while_its_sensor_may_come_back() -> None:
+    left = ScriptedSensor("left", [small_frame("left", 0)])
+    with running(left) as feed:
+        queue = feed.subscribe(DropOldest(10))
+        until(lambda: feed.health("left").frames == 1)
+        queue.clear()
+        left.give(gone("left"))
+        until(lambda: feed.health("left").state is Running.FAILED)
+        assert queue.take(0.0) is None
+        assert not queue.over
+        left.give(small_frame("left", 0))
+        assert queue.take(10.0) is not None
+    assert queue.over
+
+
 def test_starting_and_stopping_many_times_leaves_nothing() -> None:
     before = threading.active_count()
     for _ in range(20):

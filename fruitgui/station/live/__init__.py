@@ -1,0 +1,33 @@
+"""The line on live sensors: frames in, fruit counted, and what a screen draws of it."""
+
+from fruitgui.station.live.intake import FLAT_OUT, LIVE, Intake
+from fruitgui.station.live.live_line import LiveLine
+from fruitgui.station.live.state import (
+    Finished,
+    LiveState,
+    LiveWarning,
+    Opinion,
+    Phase,
+    Pictured,
+    Preview,
+    Spread,
+    Totals,
+    TrackNow,
+)
+
+__all__ = [
+    "FLAT_OUT",
+    "LIVE",
+    "Finished",
+    "Intake",
+    "LiveLine",
+    "LiveState",
+    "LiveWarning",
+    "Opinion",
+    "Phase",
+    "Pictured",
+    "Preview",
+    "Spread",
+    "Totals",
+    "TrackNow",
+]

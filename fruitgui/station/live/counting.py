@@ -1,0 +1,132 @@
+"""The end of the line: fruit that left are measured and named, kept for good, and only then counted."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Sequence
+
+from fruitgui.errors import FruitguiError
+from fruitgui.geometry.rig import Rig
+from fruitgui.measurement.rough import rough_size
+from fruitgui.station.fruit import Fruit
+from fruitgui.station.judging import NOBODY_SAYS, Judgement, evidence
+from fruitgui.station.live.bench import Bench, HelperLostError, JobError, Weigh, Worker, attempted
+from fruitgui.station.live.crops import coded
+from fruitgui.station.live.following import Parted
+from fruitgui.station.live.state import Finished, KindTotal, Totals
+from fruitgui.station.sink import CountedFruit
+from fruitgui.station.waiting import BufferedSink, SinkState
+from fruitgui.tracking.track import Track
+
+LAST_FRUIT = 12
+UNKEPT = 256
+"""Fruit that wait to be kept and are shown with their pictures once they are; beyond that only their number is."""
+
+Teacher = Callable[[Finished], None]
+"""Told of every fruit that left, counted or not; quick, and never raises."""
+
+
+class Counting:
+    """Counts fruit, one after the other, on one thread.
+
+    Args:
+        rig: of the sensors that are there.
+        worker: measures what the bench has no hands for.
+        bench: measures beside.
+        sink: keeps fruit.
+        teacher: told of every fruit.
+        warn: told what went wrong: code, text, sensors.
+    """
+
+    def __init__(
+        self,
+        rig: Rig,
+        worker: Worker,
+        bench: Bench,
+        sink: BufferedSink,
+        teacher: Teacher | None,
+        warn: Callable[[str, str, tuple[str, ...]], None],
+    ) -> None:
+        self._rig = rig
+        self._worker = worker
+        self._bench = bench
+        self._sink = sink
+        self._teacher = teacher
+        self._warn = warn
+        self._number = 0
+        self._unkept: dict[int, Finished] = {}
+        self._last: deque[tuple[CountedFruit, Finished]] = deque(maxlen=LAST_FRUIT)
+        self.totals = Totals()
+
+    @property
+    def last(self) -> tuple[tuple[CountedFruit, Finished], ...]:
+        """The last fruit counted, the newest first."""
+        return tuple(reversed(self._last))
+
+    @property
+    def sink_state(self) -> SinkState:
+        """How the store fares."""
+        return self._sink.state
+
+    def count(self, parted: Parted, lot: int | None) -> None:
+        """Measure a fruit that left, and count it into a lot; without one it passes uncounted."""
+        judgement = self._judged(parted.track)
+        self._number += 1
+        seen_by = tuple(sorted({sighting.view.sensor for sighting in parted.track.sightings}))
+        finished = Finished(
+            judgement.fruit(self._number, parted.track), coded(parted.cuts), judgement.evidence, seen_by
+        )
+        if self._teacher is not None:
+            self._teacher(finished)
+        if lot is None:
+            self.totals = Totals(self.totals.kinds, self.totals.passed + 1)
+            return
+        self._unkept[self._number] = finished
+        while len(self._unkept) > UNKEPT:
+            del self._unkept[next(iter(self._unkept))]
+        self._add(self._sink.take(lot, finished.fruit, finished.crops))
+
+    def retry(self) -> None:
+        """Try again to keep what waits, if anything does."""
+        if self._sink.state.waiting:
+            self._add(self._sink.retry())
+
+    def _judged(self, track: Track) -> Judgement:
+        """Measure a track, here or beside; one that cannot be measured is counted all the same, and said."""
+        job = Weigh(track)
+        answer = self._bench.ask(job)
+        try:
+            if answer is not None:
+                done: Judgement = answer.result()
+                return done
+        except (HelperLostError, JobError):
+            pass  # once more, here
+        here, error = attempted(self._worker, job)
+        if isinstance(here, Judgement):
+            return here
+        self._warn("fruit_not_measured", f"A fruit could not be measured, only counted: {error}", ())
+        size = rough_size(track, self._rig)
+        return Judgement(NOBODY_SAYS, size, evidence(track, size), size.volume_m3, None)
+
+    def _add(self, counted: Sequence[CountedFruit]) -> None:
+        """Count what is durable now."""
+        for one in counted:
+            finished = self._unkept.pop(one.fruit.fruit, None)
+            if finished is not None:
+                self._last.append((one, finished))
+            self.totals = _with(self.totals, one.fruit)
+        problem = self._sink.state.problem
+        if problem is not None:
+            self._say(problem)
+
+    def _say(self, problem: FruitguiError) -> None:
+        self._warn("not_kept", f"{problem.what} {problem.remedy}", ())
+
+
+def _with(totals: Totals, fruit: Fruit) -> Totals:
+    before = totals.kinds.get(fruit.kind, KindTotal())
+    mass_kg = before.mass_kg
+    if fruit.mass_kg is not None:
+        mass_kg = (mass_kg or 0.0) + fruit.mass_kg.value
+    after = KindTotal(before.count + 1, before.volume_m3 + fruit.volume_m3.value, mass_kg)
+    return Totals({**totals.kinds, fruit.kind: after}, totals.passed)

@@ -1,0 +1,299 @@
+"""The line on live sensors: three threads and a helping process between a feed and a store of fruit."""
+
+from __future__ import annotations
+
+import queue
+import statistics
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from concurrent.futures import Future
+from dataclasses import dataclass, replace
+from typing import Any
+
+from fruitgui.frame import Frame
+from fruitgui.perception.view import Observation
+from fruitgui.sensors.feed import Arrival, ByCapture, Feed, Subscription
+from fruitgui.station.lineup import line_up
+from fruitgui.station.live.bench import Bench, Hands, HelperLostError, JobError, Look, attempted
+from fruitgui.station.live.counting import Counting, Teacher
+from fruitgui.station.live.first_look import FirstLook
+from fruitgui.station.live.following import Following, Parted
+from fruitgui.station.live.intake import LIVE, ClockWatch, Intake
+from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
+from fruitgui.station.live.warnings import Warnings
+from fruitgui.station.model import Model
+from fruitgui.station.station import Station
+from fruitgui.station.waiting import BufferedSink
+
+PERCEIVED_AHEAD = 6
+"""Frames that may be perceived, or be with the helper, before the one that is to be followed next."""
+
+FRUIT_AHEAD = 64
+"""Fruit that wait to be measured and kept before the line waits for them."""
+
+SHOWN_HZ = 25.0
+"""States are made no more often: nobody sees more."""
+
+LATENCIES = 30
+TAKE_S, RETRY_S = 0.2, 2.0
+STOP_S = 15.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Perceived:
+    """One frame on its way: what was perceived in it, once that is done."""
+
+    arrival: Arrival
+    frame: Frame
+    look: Look
+    answer: Future[Any]
+
+
+class LiveLine:
+    """Follows, measures, names and counts the fruit that a feed's sensors see, from `start` to `stop`.
+
+    Constructing starts nothing; one owner starts and stops. `state` and `previews` may be read from any thread and
+    never wait. A frame that cannot be used is said and skipped; a fruit that cannot be measured is said and counted.
+
+    Args:
+        feed: runs the sensors; started and stopped by its own owner.
+        station: that the sensors belong to.
+        model: names and corrects; without one every kind is `unknown`.
+        sink: keeps fruit; what it returns is counted.
+        lot: into which fruit are counted; None lets them pass uncounted.
+        intake: how frames get in.
+        teacher: told of every fruit that left, on the line's thread.
+
+    Raises:
+        InputError: the station has none of the sensors.
+    """
+
+    def __init__(
+        self,
+        feed: Feed,
+        station: Station,
+        model: Model | None,
+        sink: BufferedSink,
+        lot: int | None = None,
+        intake: Intake = LIVE,
+        teacher: Teacher | None = None,
+    ) -> None:
+        self._feed = feed
+        self._intake = intake
+        self._lot = lot
+        self._lineup = line_up(station, feed.infos.values())
+        hands = Hands(self._lineup.eyes, self._lineup.rig, model)
+        self._bench = Bench(hands)
+        self._looker = hands.worker()
+        self._order = ByCapture(self._lineup.offsets_s, intake.patience_s)
+        self._clocks = ClockWatch(intake.jump_s)
+        self._warnings = Warnings(self._lineup.warnings)
+        rate_hz = max((feed.infos[sensor].rate_hz for sensor in self._lineup.station_id), default=0.0)
+        self._following = Following(self._lineup.rig, station, self._bench, rate_hz)
+        self._first_look = FirstLook(self._lineup.rig)
+        self._counting = Counting(self._lineup.rig, hands.worker(), self._bench, sink, teacher, self._warnings.add)
+        self._perceived: queue.Queue[_Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
+        self._parted: queue.Queue[Parted | None] = queue.Queue(FRUIT_AHEAD)
+        self._subscription: Subscription | None = None
+        self._threads: tuple[threading.Thread, ...] = ()
+        self._latencies: deque[float] = deque(maxlen=LATENCIES)
+        self._previews: dict[str, Preview] = {}
+        self._drawn = LiveState(Phase.STOPPED)
+        self._phase = Phase.STOPPED
+        self._frames = self._skipped = 0
+        self._shown_s = 0.0
+        self._previewed_s: dict[str, float] = {}
+
+    def start(self) -> None:
+        """Start. Once only: make a new line to start again."""
+        self._subscription = self._feed.subscribe(self._intake.room, self._order)
+        self._phase = Phase.RUNNING
+        self._bench.start()
+        runs: tuple[tuple[str, Callable[[], None]], ...] = (
+            ("line perceives", self._perceive_all),
+            ("line follows", self._follow_all),
+            ("line counts", self._count_all),
+        )
+        self._threads = tuple(threading.Thread(target=run, name=name, daemon=True) for name, run in runs)
+        for thread in self._threads:
+            thread.start()
+
+    def count_into(self, lot: int | None) -> None:
+        """Count fruit that leave from now on into a lot; None lets them pass uncounted: a pause."""
+        self._lot = lot
+
+    def stop(self, timeout_s: float = STOP_S) -> bool:
+        """Stop: what waits is followed, what is in view is counted. Return whether all of it was, in that time."""
+        if self._phase is Phase.RUNNING:
+            self._phase = Phase.STOPPING
+        if self._subscription is not None:
+            self._subscription.close()
+        done = self.wait(timeout_s)
+        self._bench.close()
+        self._phase = Phase.STOPPED
+        return done
+
+    def wait(self, timeout_s: float) -> bool:
+        """Wait until the line has ended by itself (its recordings are over); return whether it has."""
+        until_s = time.monotonic() + timeout_s
+        for thread in self._threads:
+            thread.join(max(until_s - time.monotonic(), 0.0))
+        return not any(thread.is_alive() for thread in self._threads)
+
+    @property
+    def state(self) -> LiveState:
+        """How the line is: what is in view as of the last observation, everything else as of now."""
+        subscription = self._subscription
+        return replace(
+            self._drawn,
+            phase=self._phase,
+            lot=self._lot,
+            totals=self._counting.totals,
+            last=self._counting.last,
+            health=tuple(self._feed.health(sensor) for sensor in self._feed.sensors),
+            frames=self._frames,
+            latency_s=statistics.median(self._latencies or (0.0,)),
+            backlog=(subscription.waiting if subscription else 0) + self._perceived.qsize(),
+            waiting_fruit=self._parted.qsize() + self._counting.sink_state.waiting,
+            dropped=subscription.dropped if subscription else {},
+            skipped=self._skipped,
+            sink=self._counting.sink_state,
+            warnings=self.warnings,
+        )
+
+    @property
+    def previews(self) -> dict[str, Preview]:
+        """The newest picture of each sensor, by its id in the feed."""
+        return dict(self._previews)
+
+    @property
+    def warnings(self) -> tuple[LiveWarning, ...]:
+        """What a person should know."""
+        stale = self._following.rig_watch.stale.items()
+        return (*(LiveWarning("calibration_stale", text, names) for names, text in stale), *self._warnings.all())
+
+    # The first thread: frames in order, perceived here or by the helper.
+
+    def _perceive_all(self) -> None:
+        subscription = self._subscription
+        assert subscription is not None  # noqa: S101 - made before this thread was started
+        while not subscription.over:
+            arrival = subscription.take(TAKE_S)
+            if arrival is not None and arrival.frame.sensor in self._lineup.eyes:
+                self._perceived.put(self._perceive(arrival))
+        self._perceived.put(None)
+
+    def _perceive(self, arrival: Arrival) -> _Perceived:
+        frame = arrival.frame
+        correction = self._lineup.corrections.get(frame.sensor)
+        if correction is not None:
+            frame = replace(frame, depth_mm=correction.apply(frame.depth_mm, frame.intrinsics))
+        self._watch_clock(arrival)
+        look = Look(frame, self._order.time_s(arrival))
+        answer = self._bench.ask(look)
+        if answer is None:
+            answer = self._looked(look)
+        return _Perceived(arrival, frame, look, answer)
+
+    def _looked(self, look: Look) -> Future[Any]:
+        """Perceive here."""
+        done, error = attempted(self._looker, look)
+        answer: Future[Any] = Future()
+        if error is None:
+            answer.set_result(done)
+        else:
+            answer.set_exception(JobError(error))
+        return answer
+
+    def _watch_clock(self, arrival: Arrival) -> None:
+        sensor = arrival.frame.sensor
+        leap_s = self._clocks.leap_s(sensor, self._order.time_s(arrival), arrival.arrived_s)
+        if leap_s:
+            self._order.shift({sensor: leap_s})
+            text = f"The clock of sensor {sensor} leapt by {-leap_s:+.1f} s; it is followed on from there."
+            self._warnings.add("clock_jumped", text, (sensor,))
+
+    # The second thread: fruit followed.
+
+    def _follow_all(self) -> None:
+        while (perceived := self._perceived.get()) is not None:
+            for parted in self._followed(perceived):
+                self._parted.put(parted)
+        for parted in self._following.finish():
+            self._parted.put(parted)
+        self._draw()
+        self._parted.put(None)
+
+    def _followed(self, perceived: _Perceived) -> list[Parted]:
+        sensor = perceived.frame.sensor
+        try:
+            observation = self._observation(perceived)
+            parted = self._following.follow(perceived.frame, observation, time.monotonic())
+            self._put_clocks_right(observation)
+        except Exception as error:  # noqa: BLE001 - one frame must not end the line; it is said
+            self._skipped += 1
+            self._warnings.add("frame_skipped", f"A frame of sensor {sensor} could not be used: {error}", (sensor,))
+            return []
+        self._frames += 1
+        self._latencies.append(time.monotonic() - perceived.arrival.arrived_s)
+        self._show(perceived.arrival, observation)
+        return parted
+
+    def _observation(self, perceived: _Perceived) -> Observation:
+        try:
+            found: Observation = perceived.answer.result()
+        except HelperLostError:
+            again: Observation = self._looked(perceived.look).result()
+            return again
+        return found
+
+    def _put_clocks_right(self, observation: Observation) -> None:
+        offsets_s = self._first_look.look(observation)
+        for sensor, name in self._lineup.station_id.items():
+            if name in offsets_s:
+                self._order.shift({sensor: offsets_s[name]})
+                text = f"The clock of sensor {name} is off by {offsets_s[name]:+.3f} s, judged by the fruit that both "
+                text += "sensors saw; it was put right. Fruit in view at that moment may have been counted twice."
+                self._warnings.add("clock_put_right", text, (name,))
+
+    def _show(self, arrival: Arrival, observation: Observation) -> None:
+        now_s, sensor = time.monotonic(), arrival.frame.sensor
+        if now_s - self._previewed_s.get(sensor, -1.0) >= 1.0 / SHOWN_HZ:
+            self._previewed_s[sensor] = now_s
+            self._previews[sensor] = self._following.preview(arrival, observation.sensor)
+        if now_s - self._shown_s >= 1.0 / SHOWN_HZ:
+            self._shown_s = now_s
+            self._draw(observation.time_s)
+
+    def _draw(self, time_s: float | None = None) -> None:
+        self._drawn = replace(
+            self._drawn,
+            time_s=self._drawn.time_s if time_s is None else time_s,
+            tracks=self._following.tracks_now(),
+            footprints_m=self._following.above.footprints_m,
+            belt_velocity_m_s=self._following.velocity_m_s,
+        )
+
+    # The third thread: fruit measured, kept, counted.
+
+    def _count_all(self) -> None:
+        while True:
+            try:
+                parted = self._parted.get(timeout=RETRY_S)
+            except queue.Empty:
+                self._counting.retry()
+                continue
+            if parted is None:
+                break
+            self._count(parted)
+        self._counting.retry()
+        if self._phase is Phase.RUNNING:
+            self._phase = Phase.ENDED
+
+    def _count(self, parted: Parted) -> None:
+        try:
+            self._counting.count(parted, self._lot)
+        except Exception as error:  # noqa: BLE001 - one fruit must not end the line; it is said
+            self._warnings.add("fruit_not_counted", f"A fruit was followed but could not be counted: {error}", ())

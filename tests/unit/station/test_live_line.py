@@ -1,0 +1,228 @@
+"""The line on live sensors: faults are said and the line goes on; nothing is counted before it is kept."""
+
+from __future__ import annotations
+
+import multiprocessing
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from fruitgui.frame import Frame, Intrinsics
+from fruitgui.geometry.pose import Pose
+from fruitgui.sensors.depth_correction import DepthCorrection
+from fruitgui.sensors.feed import Feed
+from fruitgui.sensors.named import NamedSensor
+from fruitgui.sensors.sensor import Sensor
+from fruitgui.station.live import FLAT_OUT, LIVE, Finished, Intake, LiveLine, Phase
+from fruitgui.station.station import Station, StationSensor
+from fruitgui.station.waiting import BufferedSink
+from tests.unit.perception.spheres import Ball, Table
+from tests.unit.sensors.scripted import ScriptedSensor, gone, until
+from tests.unit.station.memory_sink import MemorySink
+
+pytestmark = pytest.mark.usefixtures("no_leaked_threads")
+
+SMALL = Intrinsics(320, 240, 262.5, 262.5, 159.5, 119.5)
+SURFACE = Table((), tilt_rad=0.0, intrinsics=SMALL).surface()
+SPEED_M_S, STEP_S = 0.24, 0.2
+BALLS = ((0.035, (200, 60, 40)), (0.028, (60, 170, 50)), (0.04, (210, 180, 50)))
+
+
+def passing(sensor: str, balls: int = 3, first_s: float = 0.0) -> list[Frame]:
+    """Return frames of a row of balls that comes in on one side and leaves on the other."""
+    steps = round((1.6 + 0.24 * balls) / (SPEED_M_S * STEP_S))
+    frames = []
+    for number in range(steps):
+        front_m = -0.8 + number * STEP_S * SPEED_M_S
+        row = tuple(Ball(front_m - 0.24 * n, 0.0, *BALLS[n % 3]) for n in range(balls) if abs(front_m - 0.24 * n) < 0.8)
+        frame = Table(row, tilt_rad=0.0, intrinsics=SMALL, seed=number).frame()
+        frames.append(replace(frame, sensor=sensor, sequence=number, time_s=first_s + STEP_S * number))
+    return frames
+
+
+class Small(ScriptedSensor):
+    """A scripted sensor with the small camera."""
+
+    @property
+    def info(self):  # type: ignore[no-untyped-def]  # noqa: ANN201
+        return replace(super().info, intrinsics=SMALL, rate_hz=5.0)
+
+
+def station(*names: str, correction: DepthCorrection | None = None) -> Station:
+    sensors = {name: StationSensor(f"S-{name}", Pose.exact(), SURFACE, depth_correction=correction) for name in names}
+    return Station(names[0], sensors, np.array([SPEED_M_S, 0.0, 0.0]))
+
+
+@contextmanager
+def running(line: LiveLine, feed: Feed) -> Iterator[None]:
+    line.start()
+    feed.start()
+    try:
+        yield
+    finally:
+        assert line.stop()
+        assert feed.stop() == ()
+
+
+def line_of(*sensors: Sensor, lot: int | None = 1, intake: Intake = FLAT_OUT) -> tuple[LiveLine, Feed, MemorySink]:
+    feed, sink = Feed(sensors), MemorySink()
+    names = [sensor.info.sensor for sensor in sensors]
+    return LiveLine(feed, station(*names), None, BufferedSink(sink), lot, intake), feed, sink
+
+
+def test_constructing_starts_nothing() -> None:
+    before = threading.active_count()
+    line, _, _ = line_of(Small("left"))
+    assert threading.active_count() == before
+    assert line.state.phase is Phase.STOPPED
+    assert line.stop()
+
+
+def test_what_passes_is_counted_once_it_is_kept_and_drawn_while_in_view() -> None:
+    left = Small("left", frames := passing("left"))
+    line, feed, sink = line_of(left)
+    with running(line, feed):
+        until(lambda: len(line.state.tracks) == 3, 60.0)
+        state, preview = line.state, line.previews["left"]
+        assert len({one.track for one in state.tracks}) == 3
+        track = state.tracks[0]
+        assert track.footprint_m.shape[1] == track.trail_m.shape[1] == 2
+        assert np.ptp(track.footprint_m, axis=0) == pytest.approx([0.07, 0.07], abs=0.03)
+        assert preview.color.shape == (240, 320, 3)
+        assert any(len(one.outline_px) > 10 for one in preview.fruit)
+        left.end()
+        assert line.wait(60.0)
+        assert line.state.phase is Phase.ENDED
+        assert line.state.totals.fruit == len(sink.kept) == 3
+        assert line.state.frames == len(frames)
+        assert [one.fruit.fruit for one, _ in sink.kept] == [1, 2, 3]
+        assert [counted.number for counted, _ in line.state.last] == [3, 2, 1]
+        assert line.state.warnings == ()
+
+
+def test_stopping_counts_what_is_in_view() -> None:
+    line, feed, sink = line_of(Small("left", passing("left")[:28]))
+    with running(line, feed):
+        until(lambda: line.state.frames == 28, 60.0)
+        assert sink.kept == []
+    assert len(sink.kept) == 3
+    assert line.state.phase is Phase.STOPPED
+
+
+def test_a_frame_that_cannot_be_used_is_said_and_skipped() -> None:
+    frames = passing("left")
+    wrong = replace(frames[10], color=frames[10].color[:100], depth_mm=frames[10].depth_mm[:100])
+    left = Small("left", [*frames[:10], wrong, *frames[11:]])
+    left.end()
+    line, feed, sink = line_of(left)
+    with running(line, feed):
+        assert line.wait(60.0)
+        state = line.state
+        assert (state.skipped, state.frames) == (1, len(frames) - 1)
+        assert [(one.code, one.sensors) for one in state.warnings] == [("frame_skipped", ("left",))]
+        assert len(sink.kept) == 3
+
+
+def test_while_the_disk_is_full_nothing_is_counted_and_then_everything_is() -> None:
+    left = Small("left", passing("left"))
+    line, feed, sink = line_of(left)
+    sink.full.set()
+    with running(line, feed):
+        until(lambda: line.state.sink.waiting == 2, 60.0)
+        assert line.state.totals.fruit == 0
+        assert "not_kept" in {one.code for one in line.state.warnings}
+        sink.full.clear()
+        until(lambda: line.state.totals.fruit >= 2, 20.0)
+    assert line.state.totals.fruit == len(sink.kept) == 3
+
+
+def test_between_lots_fruit_pass_uncounted_and_are_taught_all_the_same() -> None:
+    left, told = Small("left", passing("left")), list[Finished]()
+    feed, sink = Feed([left]), MemorySink()
+    line = LiveLine(feed, station("left"), None, BufferedSink(sink), None, FLAT_OUT, told.append)
+    with running(line, feed):
+        left.end()
+        assert line.wait(60.0)
+        assert (line.state.totals.fruit, line.state.totals.passed) == (0, 3)
+    assert len(told) == 3
+    assert all(one.crops and one.evidence.views >= 3 and one.sensors == ("left",) for one in told)
+
+
+def test_a_helper_that_dies_is_done_without() -> None:
+    frames = passing("left")
+    left = Small("left", frames[:20])
+    line, feed, sink = line_of(left)
+    with running(line, feed):
+        until(lambda: line.state.frames == 20 and bool(multiprocessing.active_children()), 60.0)
+        for child in multiprocessing.active_children():
+            child.kill()
+            child.join()
+        left.give(*frames[20:])
+        left.end()
+        assert line.wait(60.0)
+    assert len(sink.kept) == 3
+
+
+def test_a_sensor_that_dies_does_not_hold_the_others() -> None:
+    left, right = Small("left", passing("left")), Small("right", passing("right")[:5])
+    right.give(gone("right"))
+    line, feed, sink = line_of(left, right, intake=LIVE)
+    with running(line, feed):
+        until(lambda: line.state.frames + sum(line.state.dropped.values()) >= len(passing("left")), 60.0)
+    assert sink.kept or sum(line.state.dropped.values()) > 10
+
+
+def test_a_clock_set_anew_is_said_and_followed_on() -> None:
+    frames = passing("left")
+    left = Small("left")
+    line, feed, sink = line_of(left, intake=replace(FLAT_OUT, jump_s=20.0))
+    with running(line, feed):
+        left.give(*frames[:25])
+        until(lambda: line.state.frames == 25, 60.0)
+        left.give(*(replace(one, time_s=one.time_s - 5000.0) for one in frames[25:]))
+        left.end()
+        assert line.wait(60.0)
+        assert {one.code for one in line.state.warnings} == {"clock_jumped"}
+    assert len(sink.kept) == 3
+
+
+def test_sensors_are_known_by_serial_and_depth_is_put_right() -> None:
+    frames = [replace(one, depth_mm=(one.depth_mm * 0.8).astype(np.uint16)) for one in passing("x")]
+    sensor = NamedSensor(Small("left", frames), "other")
+    feed, sink = Feed([sensor]), MemorySink()
+    nearer = station("left", correction=DepthCorrection(scale=1.25))
+    line = LiveLine(feed, nearer, None, BufferedSink(sink), 1, FLAT_OUT)
+    with running(line, feed):
+        until(lambda: line.state.frames == len(frames), 60.0)
+        assert line.previews["other"].station_id == "left"
+        assert "sensor_not_matched" not in {one.code for one in line.state.warnings}
+    assert len(sink.kept) == 3
+
+
+def test_a_bumped_sensor_is_said_at_once() -> None:
+    bumped = Table((), tilt_rad=0.03, intrinsics=SMALL)
+    frames = [
+        replace(Table((), tilt_rad=0.03, intrinsics=SMALL, seed=n).frame(), sensor="left", sequence=n, time_s=0.2 * n)
+        for n in range(30)
+    ]
+    assert bumped.surface().plane.normal @ SURFACE.plane.normal < 0.9999
+    line, feed, _ = line_of(Small("left", frames))
+    with running(line, feed):
+        until(lambda: {one.code for one in line.state.warnings} == {"calibration_stale"}, 30.0)
+        assert line.state.warnings[0].sensors == ("left",)
+
+
+def test_starting_and_stopping_many_times_leaves_nothing() -> None:
+    frames = passing("left")[:6]
+    before = threading.active_count()
+    for _ in range(20):
+        left = Small("left", frames)
+        line, feed, _ = line_of(left)
+        with running(line, feed):
+            until(lambda line=line: line.state.frames > 0, 60.0)
+            left.end()
+    assert threading.active_count() == before

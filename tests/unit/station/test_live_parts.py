@@ -1,0 +1,119 @@
+"""The parts of the live line that own no thread."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fruitgui.geometry.plane import Plane, Surface
+from fruitgui.geometry.pose import Pose
+from fruitgui.geometry.rig import Mount, Rig
+from fruitgui.geometry.rotation import rotation_from_vector
+from fruitgui.simulation.device import KINECT_COLOR
+from fruitgui.station.live.above import FromAbove, pictured_spread, spread_of
+from fruitgui.station.live.crops import LONGEST_PX, MOST_SENSORS, MOST_TRACKS, Album, coded
+from fruitgui.station.live.intake import ClockWatch
+from fruitgui.station.live.warnings import MOST, Warnings
+from tests.unit.perception.spheres import Ball, Table
+
+SURFACE = Surface(Plane(np.array([0.0, 0.0, -1.0]), 1.0))
+MOUNT = Mount("left", Pose.exact(), SURFACE, KINECT_COLOR)
+
+
+def test_a_clock_that_leaps_is_followed_on() -> None:
+    watch = ClockWatch(2.0)
+    assert watch.leap_s("left", 100.0, 10.0) == 0.0
+    assert watch.leap_s("left", 100.2, 10.3) == 0.0
+    assert watch.leap_s("left", 5.0, 10.4) == pytest.approx(95.3)
+    assert watch.leap_s("left", 5.2 + 95.3, 10.6) == 0.0
+    assert watch.leap_s("left", 130.0, 40.0) == 0.0
+
+
+def test_x_runs_along_the_belts_motion_seen_from_above() -> None:
+    rig = Rig("left", {"left": MOUNT})
+    above = FromAbove(rig)
+    for heading in (0.3, 2.0, -2.9):
+        velocity = 0.2 * np.array([np.cos(heading), np.sin(heading), 0.0])
+        above.head_along(velocity)
+        places = above.places_m(np.stack([np.array([0.1, 0.2, 0.9]), np.array([0.1, 0.2, 0.9]) + velocity]))
+        assert places[1] - places[0] == pytest.approx([0.2, 0.0], abs=1e-9)
+        assert above.footprints_m["left"].shape[1] == 2
+
+
+def test_a_standing_belt_turns_nothing() -> None:
+    above = FromAbove(Rig("left", {"left": MOUNT}))
+    before = above.pose
+    above.head_along(np.zeros(3))
+    above.head_along(None)
+    assert above.pose is before
+
+
+@given(st.floats(-1.5, 1.5), st.floats(0.001, 0.05), st.floats(0.1, 1.0))
+def test_an_ellipse_holds_what_its_covariance_says(angle: float, major: float, ratio: float) -> None:
+    R = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    spread = spread_of(np.array([1.0, 2.0]), R @ np.diag([major**2, (ratio * major) ** 2]) @ R.T)
+    assert spread.major == pytest.approx(major * np.sqrt(5.991), rel=1e-6)
+    assert spread.minor == pytest.approx(ratio * major * np.sqrt(5.991), rel=1e-6)
+    if ratio < 0.95:
+        assert np.cos(2 * (spread.angle_rad - angle)) == pytest.approx(1.0, abs=1e-6)
+
+
+def test_a_spread_in_a_picture_is_that_of_many_projected_places() -> None:
+    turned = Pose(rotation_from_vector(np.array([0.1, 0.4, -0.2])), np.array([0.2, -0.1, 0.1]))
+    mount = Mount("left", turned, SURFACE, KINECT_COLOR)
+    position = turned.apply(np.array([0.1, -0.05, 1.1]))
+    covariance = np.diag([4e-6, 1e-6, 9e-6])
+    spread = pictured_spread(mount, position, covariance)
+    assert spread is not None
+    rng = np.random.default_rng(1)
+    places = rng.multivariate_normal(position, covariance, 20_000)
+    pixels = KINECT_COLOR.project(turned.inverse().apply(places))
+    many = spread_of(pixels.mean(axis=0), np.cov(pixels.T))
+    assert (spread.x, spread.y) == pytest.approx((many.x, many.y), abs=0.1)
+    assert (spread.major, spread.minor) == pytest.approx((many.major, many.minor), rel=0.05)
+
+
+def test_a_place_behind_the_sensor_is_not_pictured() -> None:
+    assert pictured_spread(MOUNT, np.array([0.0, 0.0, -1.0]), np.eye(3)) is None
+
+
+def test_the_better_view_of_each_sensor_is_kept_and_cut_within_bounds() -> None:
+    from dataclasses import replace
+
+    from fruitgui.perception.perceiver import Perceiver
+
+    table = Table((Ball(0.0, 0.0, 0.035, (200, 60, 40)),), tilt_rad=0.0, intrinsics=KINECT_COLOR, seed=1)
+    frame = table.frame()
+    view = Perceiver(frame.sensor, KINECT_COLOR, table.surface()).observe(frame, 0.0).views[0]
+    album = Album()
+    album.look(1, replace(view, whole=False), frame)
+    album.look(1, view, frame)
+    album.look(1, replace(view, area_px=view.area_px + 1), replace(frame, time_s=9.0))
+    for number in range(2 * MOST_SENSORS):
+        album.look(2, replace(view, sensor=f"s{number}"), frame)
+    (best,) = album.take(1)
+    assert best.worth == 4.0 * view.area_px
+    assert best.time_s == frame.time_s
+    assert max(best.color.shape[:2]) <= LONGEST_PX
+    assert album.take(1) == ()
+    assert len(album.take(2)) == MOST_SENSORS
+    colour, depth, outline = coded((best,))
+    assert (colour.content, depth.content, outline.content) == ("colour", "depth", "outline")
+    assert colour.data.startswith(b"\xff\xd8")
+    assert outline.data.startswith(b"\x89PNG")
+    for track in range(3 * MOST_TRACKS):
+        album.look(track, view, frame)
+    assert len(album) <= MOST_TRACKS
+
+
+def test_warnings_are_bounded_and_counted() -> None:
+    warnings = Warnings(["no such sensor"])
+    for number in range(3 * MOST):
+        warnings.add("frame_skipped", f"text {number}", (f"s{number}",))
+    warnings.add("frame_skipped", "again", (f"s{3 * MOST - 1}",))
+    said = warnings.all()
+    assert said[0].code == "sensor_not_matched"
+    assert len(said) == MOST + 1
+    assert (said[-1].text, said[-1].count) == ("again", 2)
