@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from fruitgui.frame import F64
 from fruitgui.measurement.paper import paper_volume
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
 from fruitgui.station.fruit import Fruit
@@ -23,6 +24,7 @@ from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import read_station
 from fruitgui.station.timing import Stopwatch
+from fruitgui.tracking.speed import mean_velocity, way_velocity
 from fruitgui.tracking.track import Track
 from fruitgui.tracking.tracker import Tracker
 
@@ -114,15 +116,20 @@ class _Run:
             self._prelude.watching.rig_watch.see_track(track)
         self._fruit += self._line.fruit(tracks)
 
+    def _belt_velocity_m_s(self) -> F64 | None:
+        """Return what the fruit's ways tell, or, where none went far, what following them did."""
+        told = mean_velocity(one for fruit in self._fruit if (one := way_velocity(fruit.path)) is not None)
+        belt = self._tracker.belt
+        return belt.velocity_m_s if told is None and belt is not None else told
+
     def report(self, station: Station) -> dict[str, Any]:
         """Return the report."""
         watching = self._prelude.watching
-        belt = self._tracker.belt
         return report_value(
             station.reference,
             self._fruit,
             watching.sensors_value(self._frames),
-            None if belt is None else belt.velocity_m_s,
+            self._belt_velocity_m_s(),
             [*watching.warnings(), *self._prelude.warnings],
             self._watch.value(),
         )

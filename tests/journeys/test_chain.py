@@ -47,7 +47,7 @@ def test_the_report_is_as_the_contract_says(run: Callable[..., int], tmp_path: P
     assert sum(report["counts"].values()) == len(report["fruit"])
     assert {"frames", "wall_s", "frame_ms", "stages_ms"} <= set(report["timing"])
     assert {sensor["id"] for sensor in report["sensors"]} == {"kinect_1", "kinect_2"}
-    assert np.linalg.norm(report["belt"]["velocity_m_s"]) == pytest.approx(0.2, abs=0.01)
+    assert np.linalg.norm(report["belt"]["velocity_m_s"]) == pytest.approx(0.2, rel=0.005)
     for fruit in report["fruit"]:
         assert set(fruit) >= NUMBERS
         assert all(np.isfinite(fruit[name]) for name in NUMBERS)

@@ -75,5 +75,6 @@ def test_kinds_are_right(quick_line: Trial) -> None:
 
 def test_the_belt_speed_is_found(quick_line: Trial) -> None:
     velocity = np.array(quick_line.report["belt"]["velocity_m_s"], dtype=float)
-    assert abs(np.linalg.norm(velocity) - QUICK.speed_m_s) < 0.01
+    # Smoothed ways are known to about a millimetre at both ends of half a metre and more.
+    assert abs(np.linalg.norm(velocity) - QUICK.speed_m_s) < 0.005 * QUICK.speed_m_s
     assert json.dumps(quick_line.report, allow_nan=False)
