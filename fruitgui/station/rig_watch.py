@@ -31,7 +31,7 @@ class RigWatch:
 
     def __init__(self, rig: Rig, every: int = EVERY_FRAMES) -> None:
         self._rig = rig
-        self._every = max(every, 2)
+        self._every = every
         self._counts: dict[str, int] = defaultdict(int)
         self._frames: dict[str, list[Frame]] = defaultdict(list)
         self._gaps: dict[tuple[str, str], deque[tuple[F64, F64]]] = defaultdict(lambda: deque(maxlen=FRUIT_KEPT))
@@ -49,8 +49,9 @@ class RigWatch:
 
     def see_frame(self, sensor: str, frame: Frame) -> None:
         """Look at a frame of a station sensor, now and then."""
+        number = self._counts[sensor]
         self._counts[sensor] += 1
-        if self._counts[sensor] % self._every != 1 or sensor in self._said:
+        if number % self._every or sensor in self._said:
             return
         self._frames[sensor].append(frame)
         if len(self._frames[sensor]) == FRAMES_PER_LOOK:

@@ -120,6 +120,11 @@ class Bench:
         for thread in self._threads:
             thread.start()
 
+    @property
+    def idle(self) -> bool:
+        """Whether the process is up and has nothing to do."""
+        return self._up and not self._lost and self._outstanding == 0
+
     def ask(self, job: Look | Weigh, most: int = HANDED) -> Future[Any] | None:
         """Hand a job over; None where the process is not up, gone, or has `most` jobs already."""
         with self._lock:

@@ -15,11 +15,11 @@ from fruitgui.perception.view import FruitView, Observation
 from fruitgui.sensors.feed import Arrival
 from fruitgui.station.live.above import FromAbove, pictured_spread
 from fruitgui.station.live.bench import Bench
+from fruitgui.station.live.bump import BumpWatch
 from fruitgui.station.live.crops import Album, Cut
 from fruitgui.station.live.opinions import Opinions
 from fruitgui.station.live.state import Pictured, Preview, TrackNow
 from fruitgui.station.prelude import known_belt
-from fruitgui.station.rig_watch import RigWatch
 from fruitgui.station.station import Station
 from fruitgui.tracking.track import Track
 from fruitgui.tracking.tracker import LiveTrack, Tracker
@@ -27,9 +27,6 @@ from fruitgui.tracking.tracker import LiveTrack, Tracker
 TRAIL_STEP_M = 0.015
 TRAIL_LENGTH = 64
 """A trail has a point every so far, and the last so many: a metre of way."""
-
-WATCH_S = 1.0
-"""The belt of each sensor is looked at with a frame each second, five together: a bump is said within five seconds."""
 
 TELLING_FRUIT = 3
 
@@ -77,15 +74,14 @@ class Following:
         rig: of the sensors that are there.
         station: that they belong to.
         bench: forms opinions on fruit in view.
-        rate_hz: frames per second of one sensor.
 
     Attributes:
         velocity_m_s: (3,) of the belt, as fruit in view last showed it; None before.
     """
 
-    def __init__(self, rig: Rig, station: Station, bench: Bench, rate_hz: float) -> None:
+    def __init__(self, rig: Rig, station: Station, bench: Bench) -> None:
         self.rig = rig
-        self.rig_watch = RigWatch(rig, every=round(WATCH_S * rate_hz))
+        self._bumps = BumpWatch(rig)
         self._tracker = Tracker(rig, known_belt(station, None, None))
         self.above = FromAbove(rig)
         self._album = Album()
@@ -97,13 +93,18 @@ class Following:
 
     def follow(self, frame: Frame, observation: Observation, now_s: float) -> list[Parted]:
         """Take an observation and its frame; return the fruit that it finished."""
-        self.rig_watch.see_frame(observation.sensor, frame)
+        self._bumps.see_frame(observation.sensor, frame)
         tracks = self._tracker.update(observation)
         self._live = self._tracker.live
         self._watch_belt()
         self._note(frame)
         self._opinions.form(self._tracker, self._live, now_s)
         return self._parted(tracks)
+
+    @property
+    def stale(self) -> dict[tuple[str, ...], str]:
+        """Which sensors were bumped, in words."""
+        return self._bumps.close.stale
 
     def finish(self) -> list[Parted]:
         """Return the fruit still in view, as far as they count; nothing is in view afterwards."""
@@ -132,7 +133,7 @@ class Following:
 
     def _parted(self, tracks: list[Track]) -> list[Parted]:
         for track in tracks:
-            self.rig_watch.see_track(track)
+            self._bumps.close.see_track(track)
         return [Parted(track, self._album.take(track.track)) for track in tracks]
 
     def tracks_now(self) -> tuple[TrackNow, ...]:

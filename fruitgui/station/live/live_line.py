@@ -90,8 +90,7 @@ class LiveLine:
         self._order = ByCapture(self._lineup.offsets_s, intake.patience_s)
         self._clocks = ClockWatch(intake.jump_s)
         self._warnings = Warnings(self._lineup.warnings)
-        rate_hz = max((feed.infos[sensor].rate_hz for sensor in self._lineup.station_id), default=0.0)
-        self._following = Following(self._lineup.rig, station, self._bench, rate_hz)
+        self._following = Following(self._lineup.rig, station, self._bench)
         self._first_look = FirstLook(self._lineup.rig)
         self._counting = Counting(self._lineup.rig, hands.worker(), self._bench, sink, teacher, self._warnings.add)
         self._perceived: queue.Queue[_Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
@@ -171,7 +170,7 @@ class LiveLine:
     @property
     def warnings(self) -> tuple[LiveWarning, ...]:
         """What a person should know."""
-        stale = self._following.rig_watch.stale.items()
+        stale = self._following.stale.items()
         return (*(LiveWarning("calibration_stale", text, names) for names, text in stale), *self._warnings.all())
 
     # The first thread: frames in order, perceived here or by the helper.

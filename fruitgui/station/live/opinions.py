@@ -45,7 +45,7 @@ class Opinions:
         for gone in self._formed.keys() - tracks.keys():
             del self._formed[gone]
         self._take(now_s, tracks.keys())
-        if self._asked is None and now_s >= self._next_s:
+        if self._asked is None and now_s >= self._next_s and self._bench.idle:
             self._ask(tracker, tracks.values(), now_s)
 
     def _take(self, now_s: float, tracks: Iterable[int]) -> None:

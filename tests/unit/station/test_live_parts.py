@@ -12,7 +12,10 @@ from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.geometry.rotation import rotation_from_vector
 from fruitgui.simulation.device import KINECT_COLOR
+from fruitgui.simulation.show import Show
+from fruitgui.simulation.supply import LineOptions
 from fruitgui.station.live.above import FromAbove, pictured_spread, spread_of
+from fruitgui.station.live.bump import looks_moved
 from fruitgui.station.live.crops import LONGEST_PX, MOST_SENSORS, MOST_TRACKS, Album, coded
 from fruitgui.station.live.intake import ClockWatch
 from fruitgui.station.live.warnings import MOST, Warnings
@@ -117,3 +120,19 @@ def test_warnings_are_bounded_and_counted() -> None:
     assert said[0].code == "sensor_not_matched"
     assert len(said) == MOST + 1
     assert (said[-1].text, said[-1].count) == ("again", 2)
+
+
+@pytest.mark.parametrize(("tilt_deg", "lift_m"), [(0.0, 0.0), (0.25, 0.0), (0.0, 0.003), (0.0, -0.003), (1.0, 0.0)])
+def test_a_glance_tells_a_belt_that_moved_from_one_that_did_not(tilt_deg: float, lift_m: float) -> None:
+    show = Show(LineOptions(rig_seed=4, seed=1))
+    for _ in range(40):
+        show.frame()
+    rig = show.place.rig()
+    for _ in range(4):
+        frame = show.frame()
+        plane = rig.mounts[frame.sensor].surface.plane
+        turn = rotation_from_vector(np.radians(tilt_deg) * np.cross(plane.normal, np.array([1.0, 0.0, 0.0])))
+        foot = plane.foot(np.array([0.0, 0.0, plane.offset_m]))
+        normal = turn @ plane.normal
+        moved = Plane(normal, float(-normal @ foot) + lift_m)
+        assert looks_moved(frame, moved) == bool(tilt_deg or lift_m)
