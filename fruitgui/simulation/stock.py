@@ -9,12 +9,15 @@ import numpy as np
 from numpy.random import Generator
 
 from fruitgui.simulation.body import Body, at_rest
-from fruitgui.simulation.foreign import FOREIGN, make_foreign
+from fruitgui.simulation.foreign import FOREIGN
 from fruitgui.simulation.fruit import grow
 from fruitgui.simulation.motion import SpeedProfile, Wobble
+from fruitgui.simulation.oddments import ODDMENTS
 
 STRANGE = tuple(sorted(FOREIGN))
 """Foreign objects that come unless others are named."""
+
+_MAKERS = {**FOREIGN, **ODDMENTS}
 
 
 def mixed(
@@ -30,8 +33,8 @@ def mixed(
 
 def make_body(kind: str, rng: Generator) -> Body:
     """Return one thing at rest at the origin: apples mostly upright, long fruit on their side."""
-    if kind in FOREIGN:
-        return Body(0, kind, at_rest(make_foreign(kind, rng), rng, 0.0), (0.0, 0.0), foreign=True)
+    if kind in _MAKERS:
+        return Body(0, kind, at_rest(_MAKERS[kind](rng).centred(), rng, 0.0), (0.0, 0.0), foreign=True)
     mesh = grow(kind, rng)
     upright = "apple" in kind and rng.random() < 0.6
     lying = float(rng.choice([0.0, np.pi])) if upright else float(rng.uniform(0.35, 0.65) * np.pi)

@@ -165,6 +165,19 @@ class Solid:
         return Measures(volume, inside.mean(axis=0), *callipers(self.surface_m))
 
 
+def ellipsoid(points: F64, centre: F64, axes: F64) -> F64:
+    """Return about the distance of points (N, 3) from an ellipsoid, negative inside."""
+    scaled = (points - centre) / axes
+    return (np.sqrt(np.einsum("ij,ij->i", scaled, scaled)) - 1.0) * float(axes.min())
+
+
+def capsule(points: F64, start: F64, end: F64, radius: float) -> F64:
+    """Return the distance of points (N, 3) from a rounded rod, negative inside."""
+    along = end - start
+    share = np.clip((points - start) @ along / float(along @ along), 0.0, 1.0)
+    return np.asarray(np.linalg.norm(points - start - share[:, None] * along, axis=1) - radius)
+
+
 def callipers(surface_m: F64) -> tuple[float, float]:
     """Return the largest calliper distance of points and the largest at right angles to it."""
     from scipy.spatial import ConvexHull

@@ -27,6 +27,7 @@ class LinePlan:
         light_lx: light of the run. rock_rad: rocking of every fruit.
         silent_s: span without captures of the second sensor, from the middle of the run.
         stop_s: how long the belt stands still halfway; the speed after it is 0.7 of that before.
+        mingling: share of foreign things that touch what comes before them, be it fruit or not.
         clock_s: what the second sensor's clock shows more.
         rig: seed of the sensors' places and the belt (shared by training and running).
     """
@@ -44,6 +45,7 @@ class LinePlan:
     lens: Lens = KINECT
     noises: tuple[Noise, Noise] = (Noise(), Noise())
     foreign_kinds: tuple[str, ...] = FOREIGN
+    mingling: float = 0.0
 
 
 def line(seed: int, plan: LinePlan) -> Scene:
@@ -53,7 +55,8 @@ def line(seed: int, plan: LinePlan) -> Scene:
     kinds = [KINDS[n % len(KINDS)] for n in range(plan.fruit)]
     kinds += [plan.foreign_kinds[n % len(plan.foreign_kinds)] for n in range(plan.foreign)]
     things = [grow(str(kind), rng) for kind in rng.permutation(kinds)]
-    actors, tail_m = queue(things, setting.width_m / 2 - 0.02, plan.touching, plan.rock_rad, rng)
+    half_m = setting.width_m / 2 - 0.02
+    actors, tail_m = queue(things, half_m, plan.touching, plan.rock_rad, rng, plan.mingling)
     drive, seconds = _drive(plan, 2 * LEAD_M + tail_m)
     silent = ((seconds / 2 - plan.silent_s / 2, seconds / 2 + plan.silent_s / 2),) if plan.silent_s else ()
     eyes = (
@@ -78,7 +81,7 @@ def rig(seed: int) -> tuple[Setting, tuple[Stand, Stand]]:
 
 
 def queue(things: list[Thing], half_m: float, touching: float, rock_rad: float,
-          rng: np.random.Generator) -> tuple[tuple[Actor, ...], float]:  # fmt: skip
+          rng: np.random.Generator, mingling: float = 0.0) -> tuple[tuple[Actor, ...], float]:  # fmt: skip
     """Lay things one behind another in up to three lanes; return them and the length of the line."""
     actors: list[Actor] = []
     front = -LEAD_M
@@ -86,7 +89,8 @@ def queue(things: list[Thing], half_m: float, touching: float, rock_rad: float,
         reach = thing.body.radius_m
         room = max(half_m - reach, 0.0)
         pair = bool(actors) and actors[-1].thing.kind in KINDS and thing.kind in KINDS
-        if pair and number % 2 and rng.random() < touching:
+        mingles = mingling > 0.0 and bool(actors) and thing.kind not in KINDS and rng.random() < mingling
+        if mingles or (pair and number % 2 and rng.random() < touching):
             actors.append(_nestle(number, thing, actors[-1], actors[:-1], room, rng, rock_rad))
             continue
         y = float(rng.uniform(-room, room))

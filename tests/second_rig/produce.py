@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tests.second_rig.bodies import F64, Body, Measures, Solid, StarBody, revolve
+from tests.second_rig.bodies import F64, Body, Measures, Solid, StarBody, capsule, ellipsoid, revolve
+from tests.second_rig.oddments import ODDMENTS, make
 
 KINDS = ("lemon", "red_apple", "green_apple", "chilean_avocado", "peruvian_avocado")
 FOREIGN = ("hand", "leaf", "box", "orange", "potato")
@@ -36,6 +37,9 @@ def grow(kind: str, rng: np.random.Generator) -> Thing:
     """Return one object of a kind, no two alike."""
     if kind in _FRUIT:
         return _FRUIT[kind](rng)
+    if kind in ODDMENTS:
+        (body, colour, blotch, gloss, lies), truth = make(kind, rng)
+        return Thing(kind, body, truth, np.clip(colour, 3.0, 250.0), np.clip(blotch, 3.0, 250.0), gloss, lies)
     return _OTHERS[kind](rng)
 
 
@@ -114,17 +118,6 @@ def _potato(rng: np.random.Generator) -> Thing:
     return _finish("potato", body, rng, ((168, 132, 88), (140, 104, 66)), 0.05, True)
 
 
-def _ellipsoid(points: F64, centre: F64, axes: F64) -> F64:
-    scaled = (points - centre) / axes
-    return (np.sqrt(np.einsum("ij,ij->i", scaled, scaled)) - 1.0) * float(axes.min())
-
-
-def _capsule(points: F64, start: F64, end: F64, radius: float) -> F64:
-    along = end - start
-    share = np.clip((points - start) @ along / float(along @ along), 0.0, 1.0)
-    return np.asarray(np.linalg.norm(points - start - share[:, None] * along, axis=1) - radius)
-
-
 def _hand(rng: np.random.Generator) -> Thing:
     scale = float(rng.normal(1.0, 0.07))
     spread = rng.uniform(0.7, 1.3)
@@ -135,9 +128,9 @@ def _hand(rng: np.random.Generator) -> Thing:
     thumb = np.array([[-0.02, -0.04, 0.0], [0.025, -0.085, -0.005]]) * scale
 
     def value(points: F64) -> F64:
-        parts = [_ellipsoid(points, np.zeros(3), np.array([0.055, 0.045, 0.019]) * scale)]
-        parts += [_capsule(points, a, b, 0.0095 * scale) for a, b in zip(roots, tips, strict=True)]
-        parts.append(_capsule(points, thumb[0], thumb[1], 0.011 * scale))
+        parts = [ellipsoid(points, np.zeros(3), np.array([0.055, 0.045, 0.019]) * scale)]
+        parts += [capsule(points, a, b, 0.0095 * scale) for a, b in zip(roots, tips, strict=True)]
+        parts.append(capsule(points, thumb[0], thumb[1], 0.011 * scale))
         return np.minimum.reduce(parts)
 
     body = Solid(value, 0.135 * scale)
@@ -152,7 +145,7 @@ def _leaf(rng: np.random.Generator) -> Thing:
     def value(points: F64) -> F64:
         flat = points.copy()
         flat[:, 2] += curl * points[:, 0] ** 2 - 0.01
-        return _ellipsoid(flat, np.zeros(3), np.array([length, width, 0.003]))
+        return ellipsoid(flat, np.zeros(3), np.array([length, width, 0.003]))
 
     body = Solid(value, length * 1.15, slack=0.3)
     green = np.array([60.0, 120.0, 40.0]) * rng.uniform(0.7, 1.2)

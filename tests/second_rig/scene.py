@@ -145,7 +145,7 @@ def lay(number: int, thing: Thing, x_m: float, y_m: float, rng: np.random.Genera
 def _resting(thing: Thing, rng: np.random.Generator) -> F64:
     """Return a heading at random and the lean at which the centre lies lowest (long things), or a small lean."""
     if not thing.lies:
-        flat = thing.kind in ("hand", "leaf", "box")
+        flat = thing.kind in ("hand", "leaf", "box", "glove", "twig", "banana", "fingers", "sheet")
         return _spin(rng.uniform(0.0, 2.0 * np.pi)) @ _lean(0.0 if flat else rng.normal(0.0, 0.35))
     heading, own = _spin(rng.uniform(0.0, 2.0 * np.pi)), _spin(rng.uniform(0.0, 2.0 * np.pi))
     leans = np.pi / 2 + np.radians(np.arange(-24.0, 25.0, 2.0))

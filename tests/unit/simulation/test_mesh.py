@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fruitgui.simulation.foreign import FOREIGN, box_of, make_foreign
+from fruitgui.simulation.foreign import FOREIGN, box_of
 from fruitgui.simulation.fruit import RECIPES, ball, grow, sphere
 from fruitgui.simulation.mesh import Mesh, callipers, outline_length_m
+from fruitgui.simulation.oddments import ODDMENTS
 
 HALF_AXES = st.tuples(*[st.floats(0.01, 0.08)] * 3)
 UP = np.array([0.0, 0.0, 1.0])
@@ -59,11 +60,11 @@ def test_a_box_is_measured_exactly() -> None:
     np.testing.assert_allclose(mesh.centre_m(), 0, atol=1e-12)
 
 
-@pytest.mark.parametrize("kind", [*RECIPES, *FOREIGN])
+@pytest.mark.parametrize("kind", [*RECIPES, *FOREIGN, *ODDMENTS])
 def test_every_body_is_closed_outward_and_centred(kind: str) -> None:
     for seed in range(2):
         rng = np.random.default_rng(seed)
-        mesh = grow(kind, rng) if kind in RECIPES else make_foreign(kind, rng)
+        mesh = grow(kind, rng) if kind in RECIPES else {**FOREIGN, **ODDMENTS}[kind](rng).centred()
         # weld corners that lie on each other (the faces of a box), then each edge is walked once each way
         _, weld = np.unique(np.round(mesh.vertices_m, 9), axis=0, return_inverse=True)
         corners = weld.ravel()[mesh.triangles]
