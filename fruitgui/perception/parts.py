@@ -8,7 +8,7 @@ from typing import Protocol
 import cv2
 import numpy as np
 
-from fruitgui.frame import U8, Bools, Ints
+from fruitgui.frame import F64, U8, Bools, Ints
 from fruitgui.perception.outline import Contour, solidity
 from fruitgui.perception.rails import Rail
 from fruitgui.perception.segment import MOST_GROUPS, Groups
@@ -22,6 +22,19 @@ CRESCENT = 0.83
 
 ROUND = 0.93
 """A part that fills this much may be the fruit in front. There cannot be more crescents than such."""
+
+SLAB = 0.45
+"""What is lower than this part of its width is no fruit, nor four that lie in a square and were taken for one: these
+have 0.47."""
+
+SLAB_M = 0.045
+"""Nor is a slab taller, whatever its width."""
+
+SMALLEST_M, FLAT = 0.035, 0.6
+"""A part at least so large, and at least so tall for its size, is built like a fruit."""
+
+LEVEL_M = 0.008
+"""What the tops of one slab's parts differ by: three standard deviations of a height at 1.4 m."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,6 +111,44 @@ def part_contours(parts: U8, corner: tuple[int, int], least_px: float) -> list[C
         if largest is not None and len(largest) >= 8 and cv2.contourArea(largest) >= least_px:
             found.append(largest)
     return found
+
+
+def whole_slabs(parts: U8, top_m: F64, pixel_m: float, largest_m: float) -> U8:
+    """Return the parts of a group with those joined that are one flat body: a hand narrows at wrist and knuckles.
+
+    A part much lower than it is wide is no fruit, and what is level with it and grown together with it no other body,
+    unless it is built like a fruit.
+
+    Args:
+        parts: (h, w) uint8, 1 … K on the pixels of the parts.
+        top_m: (K,) their tops' heights.
+        pixel_m: what a pixel spans.
+        largest_m: parts that together are longer are not joined: they are many things.
+    """
+    if not (top_m < SLAB_M).any():
+        return parts
+    size_m = pixel_m * np.sqrt(4.0 / np.pi * np.bincount(parts.ravel(), minlength=len(top_m) + 1)[1:])
+    joins = (size_m < SMALLEST_M) | (top_m < FLAT * size_m)
+    for part in np.flatnonzero(joins & (top_m < SLAB_M)).tolist():
+        if top_m[part] > SLAB * min(_extent(parts == part + 1)) * pixel_m:
+            continue
+        level = joins & (np.abs(top_m - top_m[part]) < LEVEL_M)
+        body = _grown_together(np.append(False, level)[parts], parts == part + 1)
+        if max(_extent(body)) * pixel_m <= largest_m:
+            parts = np.where(body, np.uint8(part + 1), parts)
+    return parts
+
+
+def _grown_together(mask: Bools, part: Bools) -> Bools:
+    """Return the connected pieces of a mask (h, w) in which a part lies."""
+    _, pieces = cv2.connectedComponents(mask.view(np.uint8))
+    return np.isin(pieces, np.unique(pieces[part & mask]))
+
+
+def _extent(mask: Bools) -> tuple[float, float]:
+    """Return the sides of the smallest rectangle round a mask, pixels."""
+    points = cv2.findNonZero(mask.view(np.uint8))
+    return (0.0, 0.0) if points is None else cv2.minAreaRect(points)[1]
 
 
 def is_sound(group: Contour, parts: list[Contour]) -> bool:

@@ -29,6 +29,7 @@ class Groups:
         contours: one (K, 1, 2) int32 outline for each group, crop pixels.
         boxes: one left, top, width and height for each outline.
         rails: that were taken out.
+        flat: so many of the groups, the last ones, are flat things that colour showed.
     """
 
     labels: U8
@@ -36,6 +37,7 @@ class Groups:
     contours: tuple[Contour, ...]
     boxes: tuple[Box, ...]
     rails: tuple[Rail, ...] = ()
+    flat: int = 0
 
 
 class Segmenter:

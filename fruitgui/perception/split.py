@@ -18,7 +18,7 @@ import numpy as np
 from fruitgui.frame import F32, F64, U8, Bools, Ints
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.outline import Contour
-from fruitgui.perception.parts import Parts, is_sound, part_contours, unsplit, with_parts
+from fruitgui.perception.parts import Parts, is_sound, part_contours, unsplit, whole_slabs, with_parts
 from fruitgui.perception.relief import Relief, ReliefMaker
 from fruitgui.perception.segment import Groups
 from fruitgui.perception.settings import PerceptionSettings
@@ -32,6 +32,7 @@ class HeightSplitter:
         self._settings = settings
         smallest_px = limits.pixels_of(settings.smallest_m, limits.belt_z_m)
         self._scale = 2 if smallest_px >= 6.0 else 1
+        self._pixel_m = self._scale * limits.belt_z_m / limits.focal_px
         self._maker = ReliefMaker(limits, settings, self._scale)
         reach = int(np.clip(round(0.3 * smallest_px / self._scale), 1, 6))
         self._window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
@@ -46,7 +47,10 @@ class HeightSplitter:
         relief = self._maker.relief(groups)
         tops = find_tops(relief, self._window)
         cuts: dict[int, list[Contour]] = {}
+        solid = len(groups.contours) - groups.flat
         for group in self._doubtful(relief, tops):
+            if group >= solid:
+                continue
             pieces = self._pieces(groups, group, relief, tops.of(group))
             if is_sound(groups.contours[group], pieces):
                 cuts[group] = pieces
@@ -59,13 +63,16 @@ class HeightSplitter:
             return []
         patch = _patch(groups, group, relief)
         parts = basins(patch.ground, tops.place - patch.inner, numbers.astype(np.uint8))
+        top_m = np.zeros(int(numbers.max()))
+        np.maximum.at(top_m, numbers - 1, tops.height_m)
+        parts = cv2.copyTo(parts, patch.mine.astype(np.uint8))
+        parts = whole_slabs(parts, top_m, self._pixel_m, self._settings.largest_m)
         return part_contours(self._refined(parts, patch, groups, group), patch.box[:2], self._least_px)
 
     def _refined(self, parts: U8, patch: Patch, groups: Groups, group: int) -> U8:
         """Return the parts over the group's bounding box in the crop's own pixels."""
         left, top, width, height = patch.box
         s = self._scale
-        parts = cv2.copyTo(parts, patch.mine.astype(np.uint8))
         grown = cv2.copyTo(parts, parts, cv2.dilate(parts, np.ones((5, 5), np.uint8)))
         rows, columns = parts.shape
         fine = cv2.resize(grown, (columns * s, rows * s), interpolation=cv2.INTER_NEAREST)

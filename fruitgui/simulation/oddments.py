@@ -48,22 +48,29 @@ def banana(rng: Generator) -> Mesh:
 
 
 def fingers(rng: Generator) -> Mesh:
-    """Return two fingers side by side, as a hand that reaches for something shows them."""
+    """Return two fingers that part from one knuckle, as a hand that reaches for something shows them."""
     along = np.linspace(-1.0, 1.0, _ALONG)
     half_m, thick_m = rng.uniform(0.035, 0.048), rng.uniform(0.0075, 0.0105)
     skin = np.array([0.80, 0.58, 0.46]) * rng.uniform(0.45, 1.05)
     spread = rng.uniform(0.0, 0.2)
-    tubes = []
+    parts = [_knuckle(half_m, thick_m, skin, rng)]
     for side in (-1.0, 1.0):
         aside = side * (1.05 * thick_m + 0.5 * spread * half_m * (1.0 + along))
         path = np.stack([half_m * along, aside, 0.0 * along], axis=1)
-        tubes.append(_tube(path, thick_m * _closing(along, 12), skin, 0.03, rng))
-    first, second = tubes
+        parts.append(_tube(path, thick_m * _closing(along, 12), skin, 0.03, rng))
+    starts = np.cumsum([0, *(len(part.vertices_m) for part in parts[:-1])]).tolist()
     return Mesh(
-        np.concatenate([first.vertices_m, second.vertices_m]),
-        np.concatenate([first.triangles, second.triangles + len(first.vertices_m)]),
-        np.concatenate([first.albedo, second.albedo]),
+        np.concatenate([part.vertices_m for part in parts]),
+        np.concatenate([part.triangles + start for part, start in zip(parts, starts, strict=True)]),
+        np.concatenate([part.albedo for part in parts]),
     )
+
+
+def _knuckle(half_m: float, thick_m: float, skin: F64, rng: Generator) -> Mesh:
+    """Return what both fingers grow from, a part of either inside it."""
+    directions, triangles = sphere(4)
+    body = directions * np.array([1.6, 2.3, 1.05]) * thick_m - [half_m, 0.0, 0.0]
+    return Mesh(body, triangles, _plain(skin, len(body), rng, 0.03))
 
 
 def sheet(rng: Generator) -> Mesh:

@@ -3,7 +3,9 @@
 A hand, a leaf, a spread bunch is not convex: a frame cuts it into parts, the next one does not. Fruit are spared by
 two properties of bodies, whatever the frames say: a fruit that rests on a belt is about as tall as wide, and seldom
 smaller than `SMALLEST_M`. Only where neither of two tracks is built like a fruit may they be parts of one body; smaller
-fruit (cherries, small plums) are joined only if they touch and the frames seldom part them.
+fruit (cherries, small plums) are joined only if they touch and the frames seldom part them. Two slabs of one height
+that touch are one body unless hardly any frame shows them joined: the wrist between a hand and its arm is thin. A piece
+as big as a fruit belongs to a slab of its own height and colour if most frames that should show it do not.
 """
 
 from __future__ import annotations
@@ -27,6 +29,9 @@ LOWEST_M = 0.03
 THIN_M = 0.025
 """What does not rise so far above the belt is a leaf, a twig, a stalk."""
 
+LOW_M = 0.015
+"""The smallest fruit that is looked for, 25 mm across, is taller, less what heights err by."""
+
 PARTS_APART_M = 0.12
 """Two thin bits farther apart than this are two things."""
 
@@ -37,7 +42,23 @@ ONE_COLOR = 3.0
 """Standard deviations, per share of red or green, that parts of one body may differ by."""
 
 TORN = 0.5
-"""Share of frames of the sensor that parts best, below which two slabs are one body: fruit are parted far oftener."""
+"""Share of frames of the sensor that parts best, below which two of no fruit's build are one body: fruit are parted far
+oftener."""
+
+SLAB = 0.45
+"""A body lower than this share of its width is no heap of fruit either: three in a row that nothing parts have 0.5."""
+
+SLAB_M = 0.045
+"""Nor is a slab taller: of fruit so low, four that nothing parts would have to lie together."""
+
+TORN_SLABS = 0.9
+"""Share of frames, as above, below which two slabs are one body: some frames must show them joined."""
+
+LEVEL_M = 0.008
+"""What the tops of one slab's parts differ by; heights themselves differ from view to view by 5 mm."""
+
+SELDOM = 0.5
+"""A fruit that lies in the open, or beside a slab, is shown by more than this share of the frames that should."""
 
 _VIEWS = 10
 _POINTS = 30
@@ -64,12 +85,34 @@ def surface_m(trail: Trail, rig: Rig) -> F64:
 
 
 def one_body(first: Trail, second: Trail, rig: Rig) -> bool:
-    """Tell whether two trails that are no fruit are parts of one body."""
-    if built_like_fruit(first) or built_like_fruit(second) or not _one_color(first, second):
+    """Tell whether two trails are parts of one body that is no fruit."""
+    if not _one_color(first, second):
         return False
     if _bit(first) and _bit(second):
         return float(np.linalg.norm(first.place_m - second.place_m)) < PARTS_APART_M
-    return first.parted(second) < TORN and _gap_m(surface_m(first, rig), surface_m(second, rig)) < GAP_M
+    joined = first.parted(second) < _torn_below(first, second)
+    return joined and _gap_m(surface_m(first, rig), surface_m(second, rig)) < GAP_M
+
+
+def _torn_below(first: Trail, second: Trail) -> float:
+    """Return the share of frames that may part two trails of one body; 0 where they cannot be of one."""
+    level = abs(float(first.looks[0] - second.looks[0])) < LEVEL_M
+    like_fruit = [trail for trail in (first, second) if built_like_fruit(trail)]
+    if not like_fruit:
+        return TORN_SLABS if level and _slab(first) and _slab(second) else TORN
+    slabs = [trail for trail in (first, second) if _slab(trail)]
+    return TORN if level and slabs and _torn_off(like_fruit[0]) else 0.0
+
+
+def _slab(trail: Trail) -> bool:
+    """Tell whether a body lies as flat as no fruit, nor several that were taken for one."""
+    height_m = float(trail.looks[0])
+    return height_m < min(SLAB * trail.size_m, SLAB_M)
+
+
+def _torn_off(trail: Trail) -> bool:
+    """Tell whether a trail as big as a fruit is hardly ever shown, and then cut out of a group."""
+    return trail.views < SELDOM * trail.expected and trail.shared > 0.7 * trail.views
 
 
 def evidence(trail: Trail) -> float:
@@ -80,7 +123,7 @@ def evidence(trail: Trail) -> float:
 def _bit(trail: Trail) -> bool:
     """Tell whether a body is small, thin and flat: the tip of a leaf whose middle lies on the belt; a cherry is not."""
     height_m = float(trail.looks[0])
-    return trail.size_m < SMALLEST_M and height_m < min(THIN_M, FLAT * trail.size_m)
+    return trail.size_m < SMALLEST_M and height_m < min(THIN_M, max(FLAT * trail.size_m, LOW_M))
 
 
 def _one_color(first: Trail, second: Trail) -> bool:

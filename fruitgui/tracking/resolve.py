@@ -93,8 +93,6 @@ class Majority:
 
     def is_part(self, trail: Trail, others: Iterable[Trail], rig: Rig) -> bool:
         """Tell whether a trail is part of a body for which another one counts, or was given out already."""
-        if built_like_fruit(trail):
-            return False
         near = _near(trail, [o for o in others if o is not trail and not built_like_fruit(o)])
         fuller = [o for o in near if not o.entries or (evidence(o) > evidence(trail) and self.counts(o, crossed=False))]
         return any(one_body(trail, other, rig) for other in fuller)

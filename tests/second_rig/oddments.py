@@ -83,14 +83,14 @@ def _fingers(rng: np.random.Generator) -> Made:
     spread = float(rng.uniform(0.0, 0.25))
 
     def value(points: F64) -> F64:
-        sides = []
+        sides = [ellipsoid(points, np.array([-half, 0.0, 0.0]), np.array([1.6, 2.3, 1.05]) * thick)]
         for side in (-1.0, 1.0):
             root, tip = np.array([-half, side * thick, 0.0]), np.array([half, side * (thick + spread * half), 0.0])
             sides.append(capsule(points, root, tip, thick))
-        return np.minimum(*sides)
+        return np.minimum.reduce(sides)
 
     skin = np.array([205.0, 150.0, 125.0]) * rng.uniform(0.6, 1.05)
-    return Solid(value, 1.5 * half + thick), skin, skin * 0.9, 0.1, False
+    return Solid(value, 1.5 * half + 2.3 * thick), skin, skin * 0.9, 0.1, False
 
 
 def _sheet(rng: np.random.Generator) -> Made:

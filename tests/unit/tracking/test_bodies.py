@@ -57,6 +57,8 @@ def test_tips_of_a_curled_leaf_are_one_leaf_even_if_always_seen_as_two() -> None
     tips = trail(1, 0.0, 0.03, 0.015, color=GREEN), trail(2, 0.085, 0.031, 0.017, color=GREEN)
     frames(*tips, (20, 20))
     assert one_body(*tips, RIG)
+    speck = trail(4, 0.07, 0.02, 0.0125, color=GREEN)
+    assert one_body(tips[0], speck, RIG)
     away = trail(3, 0.16, 0.03, 0.015, color=GREEN)
     assert not one_body(tips[0], away, RIG)
 
@@ -88,6 +90,35 @@ def test_a_small_fruit_behind_a_big_one_or_beside_a_hand_stays_a_fruit() -> None
         frames(small, other, (9, 0))
         assert not one_body(small, other, RIG)
         assert not Majority(TrackerSettings()).is_part(small, [other], RIG)
+
+
+def test_a_hand_and_its_arm_are_one_body_though_most_frames_cut_the_wrist() -> None:
+    hand, arm = trail(1, 0.0, 0.12, 0.032), trail(2, 0.105, 0.085, 0.03)
+    frames(hand, arm, (14, 6))
+    assert one_body(hand, arm, RIG)
+    higher = trail(3, 0.105, 0.085, 0.042)
+    frames(hand, higher, (14, 6))
+    assert not one_body(hand, higher, RIG)
+
+
+def test_a_piece_as_big_as_a_fruit_that_few_frames_tear_off_a_hand_is_part_of_it() -> None:
+    hand, piece = trail(1, 0.0, 0.12, 0.035), trail(2, 0.075, 0.04, 0.034, clear=14)
+    frames(hand, piece, (6, 3))
+    piece.shared = 13
+    assert not one_body(hand, piece, RIG)
+    piece.expected = 50
+    assert built_like_fruit(piece)
+    assert one_body(hand, piece, RIG)
+    assert one_body(piece, hand, RIG)
+
+
+def test_a_fruit_that_few_frames_part_from_a_heap_of_fruit_is_no_piece_of_it() -> None:
+    for height_m, count in ((0.065, 3), (0.05, 4), (0.045, 2)):
+        heap = trail(1, 0.0, height_m / 0.9 * count**0.5, 0.95 * height_m)
+        fruit = trail(2, 0.05, height_m / 0.9, height_m, clear=14)
+        fruit.shared, fruit.expected = 14, 50
+        frames(heap, fruit, (5, 2))
+        assert not one_body(heap, fruit, RIG)
 
 
 def test_flat_things_that_one_sensor_always_parts_are_two() -> None:
