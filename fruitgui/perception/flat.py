@@ -19,6 +19,7 @@ from fruitgui.frame import F32, F64, U8, U16, Bools, Ints
 from fruitgui.perception.colour import LOGARITHM
 from fruitgui.perception.limits import DepthLimits, half_of
 from fruitgui.perception.outline import Contour
+from fruitgui.perception.rails import RAIL
 from fruitgui.perception.segment import MOST_GROUPS, Groups, drawn
 from fruitgui.perception.settings import PerceptionSettings
 
@@ -175,18 +176,19 @@ def _outline(mask: U8, corner: tuple[int, int]) -> Contour:
 
 def _with_flat(groups: Groups, things: list[Contour], depth: U16) -> Groups:
     """Return the groups with flat things as the last of them; a group that meets one becomes part of it."""
+    rail = groups.labels == RAIL
     canvas = drawn(tuple(things), groups.labels.shape)
-    met = np.unique(groups.labels[canvas > 0])
-    swallowed = {int(number) - 1 for number in met if number}
+    canvas[rail] = 0
+    swallowed = {int(number) - 1 for number in np.unique(groups.labels[canvas > 0]) if number}
     for number in swallowed:
         cv2.drawContours(canvas, groups.contours, number, 1, cv2.FILLED)
+    canvas[rail] = 0
     outlines, _ = cv2.findContours(canvas, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    flat = [outline for outline in outlines if len(outline) >= 8][: MOST_GROUPS - len(groups.contours)]
     kept = [contour for number, contour in enumerate(groups.contours) if number not in swallowed]
+    flat = [outline for outline in outlines if len(outline) >= 8][: MOST_GROUPS - len(kept)]
     contours = (*kept, *flat)
-    standing = groups.standing_mm.copy()
+    labels, standing = drawn(contours, groups.labels.shape), groups.standing_mm.copy()
+    labels[rail] = RAIL
     cv2.copyTo(depth, canvas, standing)
-    return replace(
-        groups, labels=drawn(contours, groups.labels.shape), standing_mm=standing, contours=contours,
-        boxes=tuple(cv2.boundingRect(contour) for contour in contours), flat=len(flat),
-    )  # fmt: skip
+    boxes = tuple(cv2.boundingRect(contour) for contour in contours)
+    return replace(groups, labels=labels, standing_mm=standing, contours=contours, boxes=boxes, flat=len(flat))
