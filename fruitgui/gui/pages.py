@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.calibrate.page import CalibratePage
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
@@ -12,7 +13,7 @@ from fruitgui.station.workflow import Step
 
 PageMaker = Callable[[Session, Theme], StepPage]
 
-MAKERS: Mapping[Step, PageMaker] = {Step.CONNECT: ConnectPage}
+MAKERS: Mapping[Step, PageMaker] = {Step.CONNECT: ConnectPage, Step.CALIBRATE: CalibratePage}
 
 
 def make_pages(session: Session, theme: Theme) -> dict[Step, StepPage]:

@@ -136,6 +136,41 @@ def calibrate_stills(
     return CalibrationOutcome(station, result.sensors, result.pairs, (), tuple(result.warnings))
 
 
+def calibrate_again(
+    stills: Mapping[str, Sequence[Frame]],
+    reference: str | None,
+    serials: Mapping[str, str],
+    before: Station | None,
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+) -> CalibrationOutcome:
+    """Calibrate from raw frames of sensors that run; what the station before knows of each device is kept.
+
+    That is its depth correction, which is applied to the frames first, its clock, and the station's model. Region and
+    velocity of the belt are not kept: they go with the poses.
+
+    Raises:
+        InputError, CancelledByUserError: as `calibrate_stills`.
+    """
+    known = {} if before is None else before.sensors
+    corrected = {name: [_corrected(frame, known.get(name)) for frame in frames] for name, frames in stills.items()}
+    offsets_s = {name: known[name].clock_offset_s for name in stills if name in known}
+    outcome = calibrate_stills(corrected, reference, serials, offsets_s, progress, cancelled)
+    if outcome.station is None or before is None:
+        return outcome
+    sensors = {
+        name: replace(one, depth_correction=known[name].depth_correction) if name in known else one
+        for name, one in outcome.station.sensors.items()
+    }
+    return replace(outcome, station=replace(outcome.station, sensors=sensors, model=before.model))
+
+
+def _corrected(frame: Frame, known: StationSensor | None) -> Frame:
+    if known is None or known.depth_correction is None:
+        return frame
+    return replace(frame, depth_mm=known.depth_correction.apply(frame.depth_mm, frame.intrinsics))
+
+
 def check_reference(recording: Recording, reference: str | None, path: Path) -> None:
     """Raise `InputError` if the reference is not a sensor of the recording."""
     names = list(recording.sensors)
@@ -169,11 +204,17 @@ def station_of(result: Calibration, serials: Mapping[str, str], clock_offsets_s:
             pose=mount.pose,
             surface=mount.surface,
             clock_offset_s=clock_offsets_s.get(name, 0.0),
-            quality=quality_value(result.sensors[name]),
+            quality={**quality_value(result.sensors[name]), "links": _links(name, result.pairs)},
         )
         for name, mount in result.rig.mounts.items()
     }
     return Station(result.rig.reference, sensors)
+
+
+def _links(sensor: str, pairs: Sequence[PairQuality]) -> dict[str, dict[str, Any]]:
+    """Return how well the sensor agrees with each other one that it was linked to."""
+    mine = [pair for pair in pairs if pair.accepted and sensor in pair.sensors]
+    return {next(one for one in pair.sensors if one != sensor): quality_value(pair) for pair in mine}
 
 
 def with_model(station: Station, model: str) -> Station:

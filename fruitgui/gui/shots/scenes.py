@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fruitgui.gui.shots.stage import Scene
+from fruitgui.gui.steps.calibrate.shots import SCENES as CALIBRATE
 from fruitgui.gui.steps.connect.shots import SCENES as CONNECT
 
-SCENES: tuple[Scene, ...] = (*CONNECT,)
+SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE)

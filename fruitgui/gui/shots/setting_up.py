@@ -74,3 +74,9 @@ def setting_up(stage: Stage, step: Step, rig: FrozenSource) -> Iterator[SettingU
 def simulated_rig(layout: str, sensors: int = 0, captures: int = 1) -> FrozenSource:
     """Return a rig that passes for the simulated one, rendered once."""
     return frozen_source(still_scene(SEED, layout, 15, sensors=sensors, captures=captures), layout, "simulated")
+
+
+@cache
+def sparse_rig() -> FrozenSource:
+    """Return a rig before which next to nothing lies."""
+    return frozen_source(still_scene(6, "opposed", 1, captures=1, with_rails=False), "sparse", "simulated")

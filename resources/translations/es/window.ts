@@ -109,6 +109,37 @@
     </message>
 </context>
 <context>
+    <name>ShowSwitch</name>
+    <message>
+        <source>Simulated belt</source>
+        <translation>Cinta simulada</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Avanza</translation>
+    </message>
+    <message>
+        <source>Let the simulated belt run with fruit on it</source>
+        <translation>Hacer avanzar la cinta simulada con fruta encima</translation>
+    </message>
+    <message>
+        <source>Rests</source>
+        <translation>Quieta</translation>
+    </message>
+    <message>
+        <source>Stop the simulated belt, and lay fruit on it</source>
+        <translation>Detener la cinta simulada y ponerle fruta</translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation>Vacía</translation>
+    </message>
+    <message>
+        <source>Stop the simulated belt, and clear it</source>
+        <translation>Detener la cinta simulada y despejarla</translation>
+    </message>
+</context>
+<context>
     <name>SourceRunner</name>
     <message>
         <source>Stopping the sensors that ran before</source>

@@ -1,0 +1,1 @@
+"""Calibrate: the sensors find each other and the belt, and a person sees how well."""

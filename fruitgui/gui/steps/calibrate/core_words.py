@@ -1,0 +1,56 @@
+"""What the core says while it calibrates, in the operator's language; what is not known here is said as it is."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+
+from PySide6.QtCore import QCoreApplication
+
+from fruitgui.progress import Progress
+
+translate = QCoreApplication.translate
+
+
+def _patterns() -> Mapping[str, str]:
+    return {
+        r"Collected \d+ of \d+ frames": translate("Calibrate", "Capturing the still scene: keep hands away"),
+        r"Finding the belt of (?P<sensor>\w+)": translate("Calibrate", "Finding the belt of {sensor}"),
+        r"Matching (?P<one>\w+) to (?P<other>\w+)": translate("Calibrate", "Matching {one} to {other}"),
+        r"Placing the sensors": translate("Calibrate", "Placing the sensors"),
+        r"Drawing": translate("Calibrate", "Drawing what the sensors see"),
+        r"(?P<sensor>\w+): two planes in view could be the belt;.*": translate(
+            "Calibrate", "{sensor} sees two surfaces that could be the belt. Check its grid on the screen “Belt”."
+        ),
+        r"Distances seen by (?P<one>\w+) are (?P<share>\S+) % longer than by (?P<other>\w+):.*": translate(
+            "Calibrate",
+            "{one} sees distances {share} % longer than {other}: the depth of one of them is off. Correct it against "
+            "something of known height.",
+        ),
+        r"(?P<sensor>\w+) is placed to (?P<place>\S+) mm, (?P<angle>\S+)° only;.*": translate(
+            "Calibrate",
+            "{sensor} is placed to {place} mm and {angle}° only; more fruit in the common view would make it better.",
+        ),
+        r"The registration of (?P<one>\w+) to (?P<other>\w+) contradicts the others and was left out\.": translate(
+            "Calibrate", "What {one} and {other} have in common contradicts the other pairs and was left out."
+        ),
+    }
+
+
+def in_words(said: str) -> str:
+    """Return what the core said, in the operator's language."""
+    for pattern, text in _patterns().items():
+        match = re.fullmatch(pattern, said)
+        if match is not None:
+            return text.format(**match.groupdict())
+    return said
+
+
+def worded(progress: Progress) -> Progress:
+    """Return a progress that takes the core's words and passes them on in the operator's language."""
+    say: Callable[[float, str], None] = progress
+
+    def told(share: float, doing: str) -> None:
+        say(share, in_words(doing))
+
+    return told

@@ -1,0 +1,58 @@
+"""What the screen has done beside the window: calibrate, and draw what the sensors see."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fruitgui.gui.steps.calibrate.core_words import worded
+from fruitgui.gui.tasks import Job
+from fruitgui.progress import Cancelled, Progress, stop_if
+from fruitgui.sensors.feed import Feed
+from fruitgui.station.calibrate_job import CalibrationOutcome, calibrate_again
+from fruitgui.station.fused_cloud import SensorCloud, fused_clouds
+from fruitgui.station.station import Station
+from fruitgui.station.stills import collect_stills
+
+CAPTURED, CALIBRATED = 0.35, 0.9
+"""Shares of the job that are done after its parts."""
+
+CHECK_STILLS = 3
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Calibrated:
+    """What calibrating came to, with what is drawn of it."""
+
+    outcome: CalibrationOutcome
+    clouds: tuple[SensorCloud, ...]
+
+
+def calibrating(feed: Feed, reference: str, before: Station | None) -> Job[Calibrated]:
+    """Return the job of calibrating the sensors of a feed."""
+    serials = {name: info.serial for name, info in feed.infos.items()}
+
+    def job(progress: Progress, cancelled: Cancelled) -> Calibrated:
+        told = worded(progress)
+        stills = collect_stills(feed, progress=lambda share, doing: told(CAPTURED * share, doing), cancelled=cancelled)
+
+        def later(share: float, doing: str) -> None:
+            told(CAPTURED + (CALIBRATED - CAPTURED) * share, doing)
+
+        outcome = calibrate_again(stills, reference, serials, before, later, cancelled)
+        stop_if(cancelled)
+        told(CALIBRATED, "Drawing")
+        return Calibrated(outcome, fused_clouds(stills, before, outcome.station))
+
+    return job
+
+
+def drawing(feed: Feed, station: Station) -> Job[tuple[SensorCloud, ...]]:
+    """Return the job of drawing what the sensors of a feed see, placed as a station has them."""
+
+    def job(progress: Progress, cancelled: Cancelled) -> tuple[SensorCloud, ...]:
+        told = worded(progress)
+        stills = collect_stills(feed, CHECK_STILLS, lambda share, doing: told(CAPTURED * share, doing), cancelled)
+        told(CALIBRATED, "Drawing")
+        return fused_clouds(stills, station, station)
+
+    return job

@@ -1,0 +1,210 @@
+"""The calibrate screen on a rig that shows the same pictures over and over."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QAbstractButton
+from pytestqt.qtbot import QtBot
+
+from fruitgui.gui.session import Session
+from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_sources
+from fruitgui.gui.steps.calibrate.cloud import Side
+from fruitgui.gui.steps.calibrate.page import CalibratePage
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.simulation.scenes import still_scene
+from fruitgui.station.workflow import State, Step
+from fruitgui.station.workspace import open_workspace
+
+LONG_MS = 60_000
+
+
+@pytest.fixture(scope="module")
+def rig() -> FrozenSource:
+    return frozen_source(still_scene(3, "opposed", 15, captures=2))
+
+
+@pytest.fixture(scope="module")
+def bare() -> FrozenSource:
+    return frozen_source(still_scene(6, "opposed", 1, captures=2, with_rails=False), "bare")
+
+
+@pytest.fixture
+def rigged(qtbot: QtBot, tmp_path: Path, rig: FrozenSource, bare: FrozenSource) -> Iterator[Session]:
+    made = Session(open_workspace(tmp_path / "line"), sources=frozen_sources(rig, bare))
+    yield made
+    assert made.tasks.close()
+    assert made.connected.stop() == ()
+    qtbot.waitUntil(lambda: not made.tasks.running)
+    made.deleteLater()
+
+
+@pytest.fixture
+def page(qtbot: QtBot, rigged: Session, theme: Theme) -> Iterator[CalibratePage]:
+    made = CalibratePage(rigged, theme)
+    qtbot.addWidget(made)
+    made.resize(1072, 580)
+    made.show()
+    made.entered()
+    yield made
+    made.left()
+    qtbot.waitUntil(lambda: all(one.name != "outlook" for one in threading.enumerate()), timeout=LONG_MS)
+
+
+def _connect(qtbot: QtBot, session: Session, source: FrozenSource) -> None:
+    session.source.choose(source)
+    qtbot.waitUntil(lambda: not session.source.opening, timeout=LONG_MS)
+    qtbot.waitUntil(lambda: all(one.frames > 1 for one in session.connected.health.values()), timeout=LONG_MS)
+
+
+def _calibrate(qtbot: QtBot, session: Session, page: CalibratePage) -> None:
+    qtbot.waitUntil(page.calibrate_action.isEnabled, timeout=LONG_MS)
+    page.calibrate_action.trigger()
+    qtbot.waitUntil(lambda: bool(session.tasks.running))
+    qtbot.waitUntil(lambda: not session.tasks.running, timeout=LONG_MS)
+
+
+def test_without_sensors_it_says_where_to_go(page: CalibratePage) -> None:
+    wanted: list[object] = []
+    page.step_wanted.connect(wanted.append)
+    assert page.nothing.isVisible()
+    assert page.main_action is page.connect_action
+    page.connect_action.trigger()
+    assert wanted == [Step.CONNECT]
+
+
+def test_the_meter_tells_what_the_sensors_have_in_common(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource
+) -> None:
+    _connect(qtbot, rigged, rig)
+    assert page.prepare.isVisible()
+    qtbot.waitUntil(lambda: "plenty" in page.prepare.sentence.text(), timeout=LONG_MS)
+    assert [link.health for link in page.prepare.graph.links] == ["good"]
+    watch = page.watch
+    assert watch is not None
+    page.left()
+    assert page.watch is None
+    qtbot.waitUntil(lambda: not watch.running, timeout=LONG_MS)
+
+
+def test_calibrating_shows_how_good_it_is_and_is_kept_only_when_told(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource
+) -> None:
+    _connect(qtbot, rigged, rig)
+    _calibrate(qtbot, rigged, page)
+    assert page.result.isVisible()
+    assert page.result.word.text() in ("Good", "Usable")
+    assert [link.figure != "" for link in page.result.graph.links] == [True]
+    assert len(page.result.cloud.flat.layers) == 2
+    assert rigged.station is None, "nothing is kept before a person says so"
+    assert page.main_action is page.keep_action
+    page.keep_action.trigger()
+    assert rigged.station is not None
+    assert rigged.workspace.station.load().value is not None
+    assert rigged.states()[Step.CALIBRATE].state is State.DONE
+    assert page.main_action is page.on_action
+    assert page.result.word.text() in ("Good", "Usable")
+
+
+def test_before_after_side_and_fade_change_the_picture(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource
+) -> None:
+    _connect(qtbot, rigged, rig)
+    _calibrate(qtbot, rigged, page)
+    cloud = page.result.cloud
+    pictures = [cloud.flat.grab().toImage()]
+    for change in (
+        cloud.when[False].click,
+        cloud.when[True].click,
+        cloud.sides[Side.SIDE].click,
+        lambda: cloud.fade.setValue(0),
+        lambda: cloud.fade.setValue(cloud.fade.maximum()),
+    ):
+        change()
+        pictures.append(cloud.flat.grab().toImage())
+    assert pictures[0] == pictures[2]
+    assert all(pictures[one] != pictures[one + 1] for one in range(len(pictures) - 1))
+    assert not cloud.all.isChecked(), "who slides wants to see one or two, not all"
+
+
+def test_a_calibration_can_be_discarded_and_a_kept_one_taken_back(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource
+) -> None:
+    _connect(qtbot, rigged, rig)
+    _calibrate(qtbot, rigged, page)
+    page.discard_action.trigger()
+    assert rigged.station is None
+    assert page.prepare.isVisible()
+    _calibrate(qtbot, rigged, page)
+    page.keep_action.trigger()
+    first = rigged.station
+    page.again_action.trigger()
+    assert page.prepare.isVisible()
+    assert rigged.station is first, "it stays in use until another is kept"
+    _calibrate(qtbot, rigged, page)
+    page.keep_action.trigger()
+    undo = rigged.messages.history[-1].act
+    assert undo is not None
+    undo()
+    taken = rigged.station
+    assert taken is not None
+    assert first is not None
+    assert taken.sensors["kinect_2"].pose.translation_m == pytest.approx(first.sensors["kinect_2"].pose.translation_m)
+    qtbot.waitUntil(lambda: not rigged.tasks.running, timeout=LONG_MS)
+
+
+def test_a_refusal_shows_what_was_seen_and_what_to_put_where(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, bare: FrozenSource
+) -> None:
+    _connect(qtbot, rigged, bare)
+    _calibrate(qtbot, rigged, page)
+    assert page.refused.isVisible()
+    assert page.refused.cards
+    assert rigged.station is None
+    assert page.main_action is page.calibrate_action
+    page.back_action.trigger()
+    assert page.prepare.isVisible()
+
+
+def test_it_can_be_stopped_and_nothing_is_changed(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource
+) -> None:
+    _connect(qtbot, rigged, rig)
+    page.calibrate_action.trigger()
+    task = rigged.tasks.running[0]
+    qtbot.waitUntil(lambda: task.running)
+    task.cancel()
+    qtbot.waitUntil(lambda: not rigged.tasks.running, timeout=LONG_MS)
+    assert rigged.messages.history[-1].what == "Calibrating was stopped; nothing was changed."
+    assert page.prepare.isVisible()
+    assert page.calibrate_action.isEnabled()
+
+
+def test_a_station_that_was_kept_is_shown_with_what_the_sensors_see_now(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource, theme: Theme
+) -> None:
+    _connect(qtbot, rigged, rig)
+    _calibrate(qtbot, rigged, page)
+    page.keep_action.trigger()
+    other = CalibratePage(rigged, theme)
+    qtbot.addWidget(other)
+    other.show()
+    other.entered()
+    qtbot.waitUntil(lambda: len(other.result.cloud.flat.layers) == 2, timeout=LONG_MS)
+    assert other.result.word.text() == page.result.word.text()
+    assert not other.result.cloud.when[True].isVisible(), "there is no before"
+    other.left()
+
+
+def test_everything_that_is_pressed_is_large_enough_for_a_glove(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource
+) -> None:
+    _connect(qtbot, rigged, rig)
+    page.prepare.switch.show()
+    _calibrate(qtbot, rigged, page)
+    shown = [one for one in page.findChildren(QAbstractButton) if one.isVisible()]
+    assert [one.accessibleName() for one in shown if min(one.height(), one.width()) < 40] == []
+    assert all(one.accessibleName() for one in shown)
