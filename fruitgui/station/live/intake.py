@@ -15,7 +15,7 @@ class Intake:
     Attributes:
         room: what happens to frames that the line has no time for.
         patience_s: how long a frame waits for an earlier one of another sensor.
-        jump_s: a sensor's stamps that leap by more than this against the host's clock are taken for a clock set anew.
+        jump_s: stamps that leap by more than this, back or ahead of the host's clock, are those of a clock set anew.
     """
 
     room: Room
@@ -33,20 +33,22 @@ FLAT_OUT = Intake(WaitForRoom(8), patience_s=30.0, jump_s=math.inf)
 class ClockWatch:
     """Notices a sensor whose clock was set anew, say by being plugged in again.
 
+    Stamps that run back, or ahead of the host's clock, say so. Stamps that lag behind do not: a busy machine or a
+    recording that is played slower gives frames late.
+
     Args:
         jump_s: a larger leap is a new clock.
     """
 
     def __init__(self, jump_s: float) -> None:
         self._jump_s = jump_s
-        self._lag_s: dict[str, float] = {}
+        self._last_s: dict[str, tuple[float, float]] = {}
 
     def leap_s(self, sensor: str, time_s: float, arrived_s: float) -> float:
         """Return what to add to a sensor's stamps from this frame on, so that they go on as before; mostly 0."""
-        lag_s = arrived_s - time_s
-        before_s = self._lag_s.setdefault(sensor, lag_s)
-        leap_s = lag_s - before_s
-        if abs(leap_s) > self._jump_s:
-            return leap_s
-        self._lag_s[sensor] = lag_s
-        return 0.0
+        before_s, heard_s = self._last_s.get(sensor, (time_s, arrived_s))
+        on_s = time_s - before_s
+        passed_s = max(arrived_s - heard_s, 0.0)
+        leap_s = 0.0 if -self._jump_s <= on_s <= passed_s + self._jump_s else passed_s - on_s
+        self._last_s[sensor] = (time_s + leap_s, arrived_s)
+        return leap_s

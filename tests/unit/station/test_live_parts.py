@@ -25,13 +25,23 @@ SURFACE = Surface(Plane(np.array([0.0, 0.0, -1.0]), 1.0))
 MOUNT = Mount("left", Pose.exact(), SURFACE, KINECT_COLOR)
 
 
-def test_a_clock_that_leaps_is_followed_on() -> None:
+def test_a_clock_set_anew_is_followed_on() -> None:
     watch = ClockWatch(2.0)
     assert watch.leap_s("left", 100.0, 10.0) == 0.0
     assert watch.leap_s("left", 100.2, 10.3) == 0.0
     assert watch.leap_s("left", 5.0, 10.4) == pytest.approx(95.3)
     assert watch.leap_s("left", 5.2 + 95.3, 10.6) == 0.0
-    assert watch.leap_s("left", 130.0, 40.0) == 0.0
+    assert watch.leap_s("left", 5000.0, 11.6) == pytest.approx(101.5 - 5000.0)
+
+
+def test_frames_that_come_late_do_not_make_a_new_clock() -> None:
+    watch = ClockWatch(2.0)
+    assert watch.leap_s("left", 100.0, 10.0) == 0.0
+    assert watch.leap_s("left", 100.2, 19.0) == 0.0
+    assert watch.leap_s("left", 109.0, 19.1) == pytest.approx(100.3 - 109.0)
+    assert watch.leap_s("right", 0.0, 19.0) == 0.0
+    assert watch.leap_s("right", 30.0, 49.0) == 0.0
+    assert ClockWatch(float("inf")).leap_s("left", -1e9, 1.0) == 0.0
 
 
 def test_x_runs_along_the_belts_motion_seen_from_above() -> None:
