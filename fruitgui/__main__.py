@@ -41,12 +41,17 @@ class _Ear:
         raise _InterruptedError
 
 
-def _open_closed_streams() -> None:
-    """Let what nobody reads go nowhere: else the next file that is opened takes the place of standard output."""
+def _prepare_streams() -> None:
+    """Let what nobody reads go nowhere, and what the terminal cannot show be written as numbers.
+
+    A stream that is closed would give its place to the next file that is opened.
+    """
     if sys.stdout is None:
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 - for the rest of the process
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 - for the rest of the process
+    if hasattr(sys.stdout, "reconfigure"):
+        sys.stdout.reconfigure(errors="backslashreplace")
 
 
 def _stopped() -> int:
@@ -65,7 +70,7 @@ def main() -> int:
     ear = _Ear()
     try:
         ear.listen()
-        _open_closed_streams()
+        _prepare_streams()
         from fruitgui.cli import main as run
     except KeyboardInterrupt:
         return _stopped()

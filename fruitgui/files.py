@@ -64,7 +64,8 @@ def write_json(path: Path, value: Any) -> None:  # noqa: ANN401 - JSON is any
     """Write `value` as indented JSON, whole or not at all."""
     text = json.dumps(value, indent=1, allow_nan=False, ensure_ascii=False)
     with written_whole(path) as beside:
-        beside.write_text(text + "\n", encoding="utf-8")
+        # A file's name may hold bytes that are no text; as an escape they are JSON still.
+        beside.write_text(text + "\n", encoding="utf-8", errors="backslashreplace")
 
 
 def read_text(path: Path) -> str:

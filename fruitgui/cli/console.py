@@ -52,7 +52,7 @@ class Console:
         """Print the one JSON object, where it was asked for."""
         if self.as_json:
             self._clear_progress()
-            json.dump(value, sys.stdout, allow_nan=False, ensure_ascii=False)
+            json.dump(value, sys.stdout, allow_nan=False)  # in ASCII: right whatever the terminal speaks
             sys.stdout.write("\n")
             sys.stdout.flush()
 

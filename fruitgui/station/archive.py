@@ -34,7 +34,7 @@ def write_archive(path: Path, manifest: Mapping[str, Any], arrays: Mapping[str, 
     """
     with written_whole(path) as beside, zipfile.ZipFile(beside, "w", zipfile.ZIP_DEFLATED) as archive:
         text = json.dumps(manifest, indent=1, allow_nan=False, ensure_ascii=False)
-        archive.writestr(zipfile.ZipInfo(MANIFEST), text.encode())
+        archive.writestr(zipfile.ZipInfo(MANIFEST), text.encode("utf-8", "backslashreplace"))
         for name, array in arrays.items():
             buffer = io.BytesIO()
             np.save(buffer, array, allow_pickle=False)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from fruitgui.errors import InputError, WorldError
-from fruitgui.files import read_json, written_whole
+from fruitgui.files import read_json, write_json, written_whole
 
 
 def test_a_failure_in_the_middle_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> None:
@@ -52,6 +52,12 @@ def test_a_link_stays_a_link(tmp_path: Path) -> None:
         beside.write_text("new")
     assert link.is_symlink()
     assert real.read_text() == "new"
+
+
+def test_a_name_of_bytes_that_are_no_text_comes_back_as_it_was(tmp_path: Path) -> None:
+    value = {"recording": os.fsdecode(b"citr\xf3n.mcap"), "kind": "limón"}
+    write_json(tmp_path / "a.json", value)
+    assert read_json(tmp_path / "a.json") == value
 
 
 def test_json_errors_name_line_and_column(tmp_path: Path) -> None:

@@ -95,6 +95,18 @@ def test_closed_streams_are_no_trouble(closed: tuple[int, ...], tmp_path: Path) 
     assert "Traceback" not in ended.stderr
 
 
+@pytest.mark.parametrize("name", ["citrón.mcap".encode(), b"citr\xf3n.mcap"], ids=["text", "bytes"])
+@pytest.mark.parametrize("form", [[], ["--json"]], ids=["lines", "json"])
+def test_names_that_the_terminal_cannot_show_are_no_trouble(name: bytes, form: list[str], tmp_path: Path) -> None:
+    command = [*PROCESS, "calibrate", os.fsdecode(name), "--station", os.fspath(tmp_path / "s.json"), *form]
+    environment = os.environ | {"PYTHONIOENCODING": "ascii"}
+    ended = subprocess.run(command, capture_output=True, check=False, env=environment)
+    assert ended.returncode == 2
+    assert b"Traceback" not in ended.stderr
+    if form:
+        assert json.loads(ended.stdout)["error"]["file"] == os.fsdecode(name)
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no device that is always full")
 def test_an_output_that_takes_nothing_is_said_and_ends_with_1() -> None:
     with Path("/dev/full").open("w") as full:
