@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -142,11 +142,42 @@ def train_recordings(
             "Check that labels and recordings belong together and are given in the same order.",
             file=lessons[0][1],
         )
-    training = train([one.labelled for one in taught], FEATURES, seed, _later(progress), cancelled)
+    made_from = {
+        "recordings": [source.path.name for source, _ in lessons],
+        "labels": [path.name for _, path in lessons],
+    }
+    outcome = train_taught(taught, made_from, out, seed, _later(progress), cancelled)
+    return replace(outcome, warnings=(*dict.fromkeys(warnings), *outcome.warnings))
+
+
+def train_taught(
+    taught: Sequence[Taught],
+    made_from: Mapping[str, Any],
+    out: Path,
+    seed: int = 0,
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+) -> TrainOutcome:
+    """Train on fruit that were taught, wherever they come from, and write the model.
+
+    Args:
+        taught: labelled and measured fruit.
+        made_from: what they come from, for people; kept in the model beside the kinds.
+        out: the model's file.
+        seed: of all chance.
+        progress, cancelled: see `progress`.
+
+    Raises:
+        InputError: there is not enough to learn from.
+        WorldError: the model cannot be written.
+        CancelledByUserError: a person stopped it; no file was written.
+    """
+    training = train([one.labelled for one in taught], FEATURES, seed, progress, cancelled)
     correction = fit_correction(_references(taught))
-    model = Model(training.model, correction.correction, _trained_on(lessons, training))
+    kinds = [{"kind": one.kind, "fruit": one.fruit, "samples": one.views} for one in training.taught]
+    model = Model(training.model, correction.correction, {**made_from, "kinds": kinds})
     write_model(out, model)
-    return TrainOutcome(model, training, correction, (*dict.fromkeys(warnings), *training.warnings))
+    return TrainOutcome(model, training, correction, training.warnings)
 
 
 def _later(progress: Progress) -> Progress:
@@ -159,14 +190,6 @@ def _references(taught: Iterable[Taught]) -> list[Reference]:
         for one in taught
         if one.volume_m3 is not None or one.mass_kg is not None
     ]
-
-
-def _trained_on(lessons: Sequence[tuple[RecordingSource, Path]], training: Training[KindModel]) -> Mapping[str, Any]:
-    return {
-        "recordings": [source.path.name for source, _ in lessons],
-        "labels": [path.name for _, path in lessons],
-        "kinds": [{"kind": one.kind, "fruit": one.fruit, "samples": one.views} for one in training.taught],
-    }
 
 
 @dataclass(slots=True)
