@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -11,11 +10,11 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from fruitgui.errors import InputError
+from fruitgui.records import totals
 from fruitgui.records.counting import next_number
 from fruitgui.records.database import Database
 from fruitgui.records.lot import lot_row
 from fruitgui.records.tables import CorrectionRow, FruitRow
-from fruitgui.records.totals import sum_again
 from fruitgui.station.labels import LONGEST_KIND
 
 
@@ -70,8 +69,9 @@ class Corrections:
         kind = checked_kind(kind)
         with self._database.writing() as session:
             lot_row(session, lot)
+            # It counts from its correction on, like one that is put back.
             row = FruitRow(
-                lot_id=lot, number=next_number(session, lot), counted_s=self._now_s(), kind=kind, counted=True, views=0
+                lot_id=lot, number=next_number(session, lot), counted_s=self._now_s(), kind=kind, counted=False, views=0
             )
             session.add(row)
             session.flush()
@@ -84,20 +84,17 @@ class Corrections:
             return corrections_of(session, fruit)
 
     def _correct(self, session: Session, fruit: Sequence[int], said: Correction) -> None:
-        touched: dict[int, set[str]] = defaultdict(set)
-        for key in fruit:
-            row = fruit_row(session, key)
-            touched[row.lot_id].add(row.kind)
+        rows = {key: fruit_row(session, key) for key in fruit}
+        totals.take_out(session, rows.values())
+        for key, row in rows.items():
             row.kind = row.kind if said.kind is None else said.kind
             row.counted = row.counted if said.counted is None else said.counted
-            touched[row.lot_id].add(row.kind)
             session.add(
                 CorrectionRow(
                     fruit_id=key, kind=said.kind, counted=said.counted, note=said.note, who=said.who, when_s=said.when_s
                 )
             )
-        for lot, kinds in touched.items():
-            sum_again(session, lot, kinds)
+        totals.add(session, rows.values())
 
 
 def corrections_of(session: Session, fruit: int) -> tuple[Correction, ...]:

@@ -13,7 +13,7 @@ from sqlalchemy import Integer, cast, func, select
 from sqlalchemy.orm import InstrumentedAttribute, Session
 
 from fruitgui.frame import F64
-from fruitgui.records.tables import FruitRow
+from fruitgui.records.tables import FruitRow, TotalRow
 
 Measured = Literal["volume_m3", "mass_kg", "length_m", "diameter_m", "perimeter_m"]
 """What can be spread."""
@@ -37,21 +37,23 @@ class Distribution:
 
 
 def distribution(session: Session, lot: int, measured: Measured, bins: int) -> Distribution:
-    """Return the spread over the counted fruit of a lot, in about so many bins."""
+    """Return how a measure is spread over the counted fruit of a lot, in about so many bins."""
     column: InstrumentedAttribute[Any] = getattr(FruitRow, measured)
-    wanted = (FruitRow.lot_id == lot, FruitRow.counted.is_(True), column.is_not(None))
+    wanted = [FruitRow.lot_id == lot, FruitRow.counted.is_(True), column.is_not(None)]
+    if measured == "volume_m3":  # the index of kinds holds volumes: no row need be read
+        wanted.append(FruitRow.kind.in_(select(TotalRow.kind).where(TotalRow.lot_id == lot)))
     least, most = session.execute(select(func.min(column), func.max(column)).where(*wanted)).one()
     if least is None:
         return Distribution(measured, np.empty(0), {})
     width = round_width((most - least) / min(max(bins, 1), MOST_BINS) or abs(most) or 1.0)
     start = math.floor(least / width)
-    count = math.floor(most / width) - start + 1
+    size = math.floor(most / width) - start + 1
     place = cast(column / width - start, Integer)
     found = session.execute(select(FruitRow.kind, place, func.count()).where(*wanted).group_by(FruitRow.kind, place))
-    counts: dict[str, NDArray[np.int64]] = {}
+    counted: dict[str, NDArray[np.int64]] = {}
     for kind, at, fruit in found:
-        counts.setdefault(kind, np.zeros(count, np.int64))[min(at, count - 1)] += fruit
-    return Distribution(measured, (start + np.arange(count + 1)) * width, counts)
+        counted.setdefault(kind, np.zeros(size, np.int64))[min(at, size - 1)] += fruit
+    return Distribution(measured, (start + np.arange(size + 1)) * width, counted)
 
 
 def round_width(width: float) -> float:

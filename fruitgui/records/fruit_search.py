@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
-from sqlalchemy import ColumnElement, Select, func, or_, select
+from sqlalchemy import ColumnElement, Select, TextClause, and_, func, select
 from sqlalchemy.orm import InstrumentedAttribute
 
 from fruitgui.records.correcting import Correction, corrections_of, fruit_row
@@ -15,7 +15,7 @@ from fruitgui.records.database import Database
 from fruitgui.records.distribution import Distribution, Measured, distribution
 from fruitgui.records.fruit_record import FruitRecord, fruit_record
 from fruitgui.records.packing import unpack_path
-from fruitgui.records.tables import FruitRow, PathRow
+from fruitgui.records.tables import CORRECTED, FruitRow, PathRow, TotalRow
 from fruitgui.station.sink import Crop
 from fruitgui.tracking.track import PathPoint
 
@@ -26,6 +26,8 @@ Order = Literal[
 
 Which = Literal["counted", "left_out", "corrected"]
 """Fruit that count; those that a person left out; those of which a person said something else than the machine."""
+
+T = TypeVar("T")
 
 READ_AT_ONCE = 2_000
 """Rows that a walk through a lot holds in memory."""
@@ -95,10 +97,10 @@ class CountedFruits:
         """Return one page of what a query finds."""
         wanted = _conditions(query)
         with self._database.reading() as session:
-            found = session.scalar(select(func.count()).select_from(FruitRow).where(*wanted)) or 0
-            rows = session.scalars(
-                _sorted(select(FruitRow).where(*wanted), query).offset(query.first).limit(query.count)
-            )
+            found = session.scalar(_counted(query)) or 0
+            # Keys are sorted first, and whole rows only of the page: sorting a day's fruit whole takes far longer.
+            page = _sorted(select(FruitRow.id).where(*wanted), query).offset(query.first).limit(query.count)
+            rows = session.scalars(_sorted(select(FruitRow).where(FruitRow.id.in_(page)), query))
             return FruitPage(tuple(fruit_record(row) for row in rows), found)
 
     def story(self, fruit: int) -> FruitStory:
@@ -128,19 +130,27 @@ class CountedFruits:
             return distribution(session, lot, measured, bins)
 
 
-def _conditions(query: FruitQuery) -> list[ColumnElement[bool]]:
+def _conditions(query: FruitQuery) -> list[ColumnElement[bool] | TextClause]:
     wanted = [FruitRow.lot_id == query.lot, _WHICH[query.which]()]
     return wanted if query.kind is None else [*wanted, FruitRow.kind == query.kind]
 
 
-_WHICH: dict[Which, Callable[[], ColumnElement[bool]]] = {
+def _counted(query: FruitQuery) -> Select[int]:
+    """Return how many a query finds; those that count are summed up already."""
+    if query.which != "counted":
+        return select(func.count()).select_from(FruitRow).where(*_conditions(query))
+    kinds = [] if query.kind is None else [TotalRow.kind == query.kind]
+    return select(func.sum(TotalRow.fruit)).where(TotalRow.lot_id == query.lot, *kinds)
+
+
+_WHICH: dict[Which, Callable[[], ColumnElement[bool] | TextClause]] = {
     "counted": lambda: FruitRow.counted.is_(True),
-    "left_out": lambda: FruitRow.counted.is_(False),
-    "corrected": lambda: or_(FruitRow.counted.is_(False), FruitRow.kind.is_distinct_from(FruitRow.machine_kind)),
+    "left_out": lambda: and_(CORRECTED, FruitRow.counted.is_(False)),
+    "corrected": lambda: CORRECTED,
 }
 
 
-def _sorted(rows: Select[FruitRow], query: FruitQuery) -> Select[FruitRow]:
+def _sorted(rows: Select[T], query: FruitQuery) -> Select[T]:
     column: InstrumentedAttribute[Any] = getattr(FruitRow, query.order)
     if query.order == "number":
         return rows.order_by(column.desc() if query.falling else column)

@@ -10,6 +10,9 @@ from typing import Any
 from sqlalchemy import JSON, ForeignKey, Index, UniqueConstraint, text
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
+CORRECTED = text("(counted IS 0 OR kind IS NOT machine_kind)")
+"""Of fruit of which a person said something else than the machine; a query in these words uses their index."""
+
 
 class Base(DeclarativeBase):
     """Of all tables of the records."""
@@ -69,7 +72,10 @@ class FruitRow(Base):
     __tablename__ = "fruit"
     __table_args__ = (
         UniqueConstraint("lot_id", "number", name="fruit_number"),
-        Index("fruit_kind", "lot_id", "counted", "kind"),
+        # The kind first: a walk through all kinds of a lot then follows the numbers, as rows lie in the file. With the
+        # volume, so that how volumes are spread is read from the index alone.
+        Index("fruit_kind", "kind", "lot_id", "counted", "volume_m3"),
+        Index("fruit_corrected", "lot_id", "number", sqlite_where=CORRECTED),
         {"sqlite_autoincrement": True},
     )
 

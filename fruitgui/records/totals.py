@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection
 from dataclasses import dataclass
 from math import nan, sqrt
-from typing import Any
 
-from sqlalchemy import Select, case, delete, func, insert, literal, select
-from sqlalchemy.dialects.sqlite import insert as insert_or
-from sqlalchemy.orm import InstrumentedAttribute, Session
+import numpy as np
+from sqlalchemy import delete, select
+from sqlalchemy.dialects.sqlite import insert
+from sqlalchemy.orm import Session
 
+from fruitgui.frame import F64
 from fruitgui.measurement.fruit import Quantity
 from fruitgui.records.tables import FruitRow, TotalRow
 
@@ -61,15 +62,25 @@ def _mean(total: Quantity, count: int) -> Quantity | None:
     return Quantity(total.value / count, total.std / count) if count else None
 
 
-def add(session: Session, rows: Iterable[FruitRow]) -> None:
-    """Add new fruit to the sums of their lot and kind."""
-    sums: dict[tuple[int, str], list[float]] = {}
+def add(session: Session, rows: Collection[FruitRow]) -> None:
+    """Add fruit that count to the sums of their lot and kind."""
+    _change(session, rows, 1)
+
+
+def take_out(session: Session, rows: Collection[FruitRow]) -> None:
+    """Take fruit that counted out of the sums of their lot and kind, before anything in their rows is changed."""
+    _change(session, rows, -1)
+    session.execute(delete(TotalRow).where(TotalRow.lot_id.in_({row.lot_id for row in rows}), TotalRow.fruit == 0))
+
+
+def _change(session: Session, rows: Collection[FruitRow], sign: int) -> None:
+    sums: dict[tuple[int, str], F64] = {}
     for row in rows:
-        parts = _parts(row)
-        key = (row.lot_id, row.kind)
-        sums[key] = [a + b for a, b in zip(sums.get(key, [0] * len(parts)), parts, strict=True)]
+        if row.counted:
+            key = (row.lot_id, row.kind)
+            sums[key] = sums.get(key, np.zeros(len(_SUMS))) + sign * np.array(_parts(row))
     for (lot, kind), values in sums.items():
-        added = insert_or(TotalRow).values(lot_id=lot, kind=kind, **dict(zip(_SUMS, values, strict=True)))
+        added = insert(TotalRow).values(lot_id=lot, kind=kind, **dict(zip(_SUMS, values.tolist(), strict=True)))
         more = {name: getattr(TotalRow, name) + added.excluded[name] for name in _SUMS}
         session.execute(added.on_conflict_do_update(index_elements=["lot_id", "kind"], set_=more))
 
@@ -82,32 +93,6 @@ def _moments(value: float | None, std: float | None) -> list[float]:
     if value is None:
         return [0, 0.0, 0.0, 0.0]
     return [1, value, (std or 0.0) ** 2, value**2]
-
-
-def sum_again(session: Session, lot: int, kinds: Collection[str]) -> None:
-    """Sum up some kinds of a lot afresh, exactly; for corrections."""
-    session.flush()
-    session.execute(delete(TotalRow).where(TotalRow.lot_id == lot, TotalRow.kind.in_(kinds)))
-    session.execute(insert(TotalRow).from_select(["lot_id", "kind", *_SUMS], _summed(lot, kinds)))
-
-
-def _summed(lot: int, kinds: Collection[str]) -> Select[Any]:
-    return (
-        select(
-            literal(lot), FruitRow.kind, func.count(),
-            *_summed_moments(FruitRow.volume_m3, FruitRow.volume_std_m3),
-            *_summed_moments(FruitRow.mass_kg, FruitRow.mass_std_kg),
-        )
-        .where(FruitRow.lot_id == lot, FruitRow.counted, FruitRow.kind.in_(kinds))
-        .group_by(FruitRow.kind)
-    )  # fmt: skip
-
-
-def _summed_moments(
-    value: InstrumentedAttribute[float | None], std: InstrumentedAttribute[float | None]
-) -> Sequence[Any]:
-    variance = case((value.is_not(None), func.coalesce(std * std, 0.0)), else_=0.0)
-    return func.count(value), func.total(value), func.total(variance), func.total(value * value)
 
 
 def totals(session: Session, lots: Collection[int]) -> dict[int, tuple[KindTotal, ...]]:
@@ -124,10 +109,10 @@ def _total(row: TotalRow) -> KindTotal:
         kind=row.kind,
         fruit=row.fruit,
         measured=row.measured,
-        volume_m3=Quantity(row.volume_m3, sqrt(row.volume_variance_m6)),
+        volume_m3=Quantity(row.volume_m3, sqrt(max(row.volume_variance_m6, 0.0))),
         volume_spread_m3=_spread(row.measured, row.volume_m3, row.volume_square_m6),
         weighed=row.weighed,
-        mass_kg=Quantity(row.mass_kg, sqrt(row.mass_variance_kg2)),
+        mass_kg=Quantity(row.mass_kg, sqrt(max(row.mass_variance_kg2, 0.0))),
         mass_spread_kg=_spread(row.weighed, row.mass_kg, row.mass_square_kg2),
     )
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sqlite3
 import subprocess
 import sys
+import threading
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +16,7 @@ import pytest
 
 from fruitgui.errors import WorldError
 from fruitgui.records import database
+from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.store import Store, open_store
 from fruitgui.station.waiting import BufferedSink
@@ -142,3 +146,36 @@ def test_a_missing_folder_is_told(tmp_path: Path) -> None:
     with pytest.raises(WorldError) as caught:
         open_store(tmp_path / "nowhere")
     assert caught.value.code == "store_read_only"
+
+
+def test_many_threads_count_into_one_lot_without_gaps(store: Store, lot: Lot) -> None:
+    numbers: list[int] = []
+
+    def count(seed: int) -> None:
+        numbers.extend(store.commit(lot.key, made_fruit(seed * 100 + at), made_crops(at)).number for at in range(15))
+
+    threads = [threading.Thread(target=count, args=(seed,)) for seed in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(numbers) == list(range(1, 61))
+    assert sum(total.fruit for total in store.lots.totals(lot.key)) == 60
+
+
+def test_memory_stays_flat_however_many_are_counted(store: Store, lot: Lot) -> None:
+    fruit, crops = made_fruit(1), made_crops(1)
+
+    def count(times: int) -> int:
+        for _ in range(times):
+            store.counting.commit_batch(lot.key, [(fruit, crops)] * 10)
+            store.fruit.find(FruitQuery(lot.key, count=20))
+        gc.collect()
+        return tracemalloc.get_traced_memory()[0]
+
+    tracemalloc.start()
+    try:
+        early, late = count(20), count(80)
+    finally:
+        tracemalloc.stop()
+    assert late - early < 100_000, "800 fruit weigh some 4 MB"

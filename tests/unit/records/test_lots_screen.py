@@ -5,15 +5,18 @@ from __future__ import annotations
 import csv
 import math
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from sqlalchemy import Engine, event
 
 from fruitgui.errors import CancelledByUserError, InputError
-from fruitgui.records.fruit_search import FruitQuery
+from fruitgui.records.fruit_search import FruitQuery, Which
 from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.lot_csv import HEADER, write_lot
 from fruitgui.records.lot_report import report_lot
@@ -215,3 +218,44 @@ def test_reading_goes_on_while_another_thread_writes(tmp_path: Path) -> None:
         next(walk)
         store.commit(lot.key, made_fruit(11), ())
         assert len(list(walk)) == 9, "a walk sees the lot as it was when it began"
+
+
+def _plan(store: Store, ask: Callable[[], object]) -> str:
+    """Return how the database goes about all that is asked of it."""
+    asked: list[tuple[str, Any]] = []
+
+    def listen(_connection: object, _cursor: object, statement: str, parameters: object, *_: object) -> None:
+        if statement.startswith("SELECT"):
+            asked.append((statement, parameters))
+
+    event.listen(Engine, "before_cursor_execute", listen)
+    try:
+        ask()
+    finally:
+        event.remove(Engine, "before_cursor_execute", listen)
+    with store._records.connected() as connection:
+        plans = [connection.exec_driver_sql(f"EXPLAIN QUERY PLAN {sql}", values).all() for sql, values in asked]
+    return "\n".join(str(row[3]) for plan in plans for row in plan)
+
+
+@pytest.mark.parametrize("which", ["corrected", "left_out"])
+def test_what_people_corrected_is_found_by_its_index(store: Store, which: Which) -> None:
+    plan = _plan(store, lambda: store.fruit.find(FruitQuery(1, which=which)))
+    assert plan.count("fruit_corrected") == 2
+    assert "SCAN" not in plan
+
+
+def test_volumes_are_spread_without_reading_a_row(store: Store, lot: Lot) -> None:
+    _fill(store, lot, range(3))
+    plan = _plan(store, lambda: store.fruit.distribution(lot.key, "volume_m3"))
+    assert plan.count("COVERING INDEX fruit_kind") == 2
+
+
+def test_the_largest_of_a_kind_are_read_off_an_index(store: Store) -> None:
+    plan = _plan(store, lambda: store.fruit.find(FruitQuery(1, kind="lemon", order="volume_m3", falling=True)))
+    assert "fruit_kind (kind=? AND lot_id=? AND counted=?)" in plan
+
+
+def test_a_page_of_lots_goes_through_no_fruit(store: Store, lot: Lot) -> None:
+    _fill(store, lot, range(3))
+    assert "fruit" not in _plan(store, lambda: store.lots.find(LotQuery()))

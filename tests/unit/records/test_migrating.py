@@ -14,6 +14,7 @@ from fruitgui.records.migrating import PICTURES, RECORDS, Schema, bring_up_to_da
 from fruitgui.records.picture_tables import PicturesBase
 from fruitgui.records.store import open_store
 from fruitgui.records.tables import Base
+from tests.unit.station.fruit_made import made_fruit
 
 LATER = """
 from alembic import op
@@ -46,6 +47,54 @@ def test_the_scripts_make_the_tables_that_the_program_uses(tmp_path: Path, schem
     engine.dispose()
     assert _tables(tmp_path / schema.file) == _tables(tmp_path / "wanted.sqlite")
     assert migrating.version_of(tmp_path / schema.file) == schema.version
+
+
+def _only(folder: Path, version: str) -> Schema:
+    """Return the schema as it was at an earlier version."""
+    scripts = folder / "earlier"
+    scripts.mkdir()
+    for script in RECORDS.scripts.glob("v*.py"):
+        if script.name[1:5] <= version:
+            (scripts / script.name).write_text(script.read_text(encoding="utf-8"), encoding="utf-8")
+    return Schema(RECORDS.file, scripts, version)
+
+
+EVERY_VERSION = sorted(script.name[1:5] for script in RECORDS.scripts.glob("v*.py"))
+
+LOT = (
+    "INSERT INTO lot (name, grower, recipe, reference_sensor, size_bands, outlets, note, started_s) "
+    "VALUES ('old', '', '', 'kinect_1', '{}', '[]', '', 1.8e9)"
+)
+FRUIT = (
+    "INSERT INTO fruit (lot_id, number, counted_s, machine_kind, kind, counted, volume_m3, views) "
+    "VALUES (1, 1, 1.8e9, 'lemon', 'lemon', 1, 1e-4, 7)"
+)
+
+
+def test_the_newest_script_is_the_version_of_the_program() -> None:
+    assert EVERY_VERSION[0] == "0001"
+    assert EVERY_VERSION[-1] == RECORDS.version
+
+
+@pytest.mark.parametrize("version", EVERY_VERSION[:-1])
+def test_files_of_every_earlier_version_are_opened_with_all_that_is_in_them(tmp_path: Path, version: str) -> None:
+    bring_up_to_date(tmp_path / RECORDS.file, _only(tmp_path, version)).close()
+    connection = sqlite3.connect(tmp_path / RECORDS.file)
+    connection.execute(LOT)
+    connection.execute(FRUIT)
+    connection.commit()
+    connection.close()
+    with open_store(tmp_path) as store:
+        lot = store.lots.open_lot()
+        assert lot is not None
+        (fruit,) = store.fruit.walk(lot.key)
+        assert (fruit.kind, fruit.views) == ("lemon", 7)
+        assert store.commit(lot.key, made_fruit(1), ()).number == 2
+    assert migrating.version_of(tmp_path / RECORDS.file) == RECORDS.version
+    assert migrating.version_of(tmp_path / f"records.version-{version}.sqlite") == version
+    (tmp_path / "new").mkdir()
+    open_store(tmp_path / "new").close()
+    assert _tables(tmp_path / RECORDS.file) == _tables(tmp_path / "new" / RECORDS.file)
 
 
 def _next_version(folder: Path, then: str = "pass") -> Schema:
