@@ -10,7 +10,7 @@ from fruitgui.classification.evidence import Evidence, LabelledFruit
 from fruitgui.measurement.fruit import Quantity
 from fruitgui.records.store import Store
 from fruitgui.records.taught import TaughtFruit
-from fruitgui.station.line import FEATURES
+from fruitgui.station.judging import FEATURES
 from fruitgui.station.model import read_model
 from fruitgui.station.train_job import Taught, train_taught
 from tests.unit.station.fruit_made import made_fruit
