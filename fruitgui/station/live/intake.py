@@ -43,12 +43,15 @@ class ClockWatch:
     def __init__(self, jump_s: float) -> None:
         self._jump_s = jump_s
         self._last_s: dict[str, tuple[float, float]] = {}
+        self._least_lag_s: dict[str, float] = {}
 
     def leap_s(self, sensor: str, time_s: float, arrived_s: float) -> float:
         """Return what to add to a sensor's stamps from this frame on, so that they go on as before; mostly 0."""
         before_s, heard_s = self._last_s.get(sensor, (time_s, arrived_s))
-        on_s = time_s - before_s
-        passed_s = max(arrived_s - heard_s, 0.0)
-        leap_s = 0.0 if -self._jump_s <= on_s <= passed_s + self._jump_s else passed_s - on_s
+        lag_s = arrived_s - time_s
+        back = time_s < before_s - self._jump_s
+        ahead = lag_s < self._least_lag_s.get(sensor, lag_s) - self._jump_s
+        leap_s = before_s + max(arrived_s - heard_s, 0.0) - time_s if back or ahead else 0.0
         self._last_s[sensor] = (time_s + leap_s, arrived_s)
+        self._least_lag_s[sensor] = min(self._least_lag_s.get(sensor, lag_s), lag_s - leap_s)
         return leap_s

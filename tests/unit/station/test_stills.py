@@ -1,48 +1,56 @@
-from __future__ import annotations
+"""Still frames from running sensors."""
 
-import threading
+from __future__ import annotations
 
 import pytest
 
-from fruitgui.errors import CancelledByUserError
-from fruitgui.frame import Frame
+from fruitgui.errors import CancelledByUserError, WorldError
 from fruitgui.sensors.feed import Feed
+from fruitgui.station import stills
 from fruitgui.station.stills import collect_stills
 from tests.unit.sensors.scripted import ScriptedSensor, small_frame
 
 pytestmark = pytest.mark.usefixtures("no_leaked_threads")
 
 
-class _Endless(ScriptedSensor):
-    """Gives a frame every hundredth of a second, for ever."""
-
-    _number = 0
-
-    def read(self, timeout_s: float) -> Frame:  # noqa: ARG002
-        threading.Event().wait(0.01)
-        self._number += 1
-        return small_frame(self.info.sensor, self._number)
-
-
-def test_every_sensor_gives_as_many_as_are_asked_for() -> None:
-    feed = Feed([_Endless("a"), _Endless("b")])
+def test_as_many_as_asked_of_each_sensor_and_no_more() -> None:
+    left, right = ScriptedSensor("left"), ScriptedSensor("right")
+    feed = Feed([left, right])
     told: list[float] = []
+
+    def progress(share: float, _doing: str) -> None:
+        told.append(share)
+        if len(told) == 1:
+            left.give(*(small_frame("left", n) for n in range(9)))
+            right.give(*(small_frame("right", n) for n in range(4)))
+
     feed.start()
     try:
-        stills = collect_stills(feed, 3, lambda share, _doing: told.append(share))
+        frames = collect_stills(feed, 4, progress)
     finally:
         feed.stop()
-    assert {name: len(frames) for name, frames in stills.items()} == {"a": 3, "b": 3}
-    assert list(stills) == ["a", "b"]
+    assert [one.sequence for one in frames["right"]] == [0, 1, 2, 3]
+    assert len(frames["left"]) == 4
     assert told == sorted(told)
     assert told[-1] == 1.0
 
 
+def test_a_silent_sensor_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(stills, "LONGEST_SILENCE_S", 0.3)
+    feed = Feed([ScriptedSensor("left", [small_frame("left", 0)]), ScriptedSensor("right")])
+    feed.start()
+    try:
+        with pytest.raises(WorldError, match=r"Sensor (left|right) gave"):
+            collect_stills(feed, 4)
+    finally:
+        feed.stop()
+
+
 def test_it_can_be_cancelled() -> None:
-    feed = Feed([ScriptedSensor("a")])
+    feed = Feed([ScriptedSensor("left")])
     feed.start()
     try:
         with pytest.raises(CancelledByUserError):
-            collect_stills(feed, 3, cancelled=lambda: True)
+            collect_stills(feed, 4, cancelled=lambda: True)
     finally:
         feed.stop()

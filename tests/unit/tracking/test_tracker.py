@@ -158,6 +158,34 @@ def test_two_captures_of_one_time_and_a_late_one_are_used() -> None:
     assert sorted(piece_of(track) for track in tracks) == list(range(9))
 
 
+def test_each_view_of_the_last_observation_is_told_with_its_track() -> None:
+    line = crossing(6, 0.3)
+    tracker = Tracker(line.rig)
+    pieces_seen: dict[int, set[int]] = {}
+    for observation in line.observations():
+        tracker.update(observation)
+        shown = tracker.shown
+        assert {id(view) for view, _ in shown} <= {id(view) for view in observation.views}
+        assert len({track for _, track in shown}) == len(shown)
+        for view, track in shown:
+            pieces_seen.setdefault(track, set()).add(int(view.features[0]))
+    assert all(len(seen - {-1}) <= 1 for seen in pieces_seen.values())
+    assert set().union(*pieces_seen.values()) >= set(range(6))
+
+
+def test_a_fruit_in_view_can_be_taken_as_if_it_had_left() -> None:
+    line = crossing(6, 0.3)
+    tracker = Tracker(line.rig)
+    for observation in line.observations():
+        tracker.update(observation)
+        for live in tracker.live:
+            track = tracker.so_far(live.track)
+            assert track is not None
+            assert len(track.path) == len(track.sightings) >= 1
+            assert track.sightings[-1].time_s == live.last_seen_s
+    assert tracker.so_far(10**6) is None
+
+
 def test_numbers_belong_to_the_instance_and_live_shows_what_is_in_view() -> None:
     line = crossing(6, 0.3)
     first, second = Tracker(line.rig), Tracker(line.rig)
