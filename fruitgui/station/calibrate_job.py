@@ -14,6 +14,7 @@ from fruitgui.errors import InputError
 from fruitgui.frame import Frame
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 from fruitgui.sensors.recordings import Recording
+from fruitgui.station.lineup import unheard
 from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.station_file import write_station
@@ -98,6 +99,7 @@ def calibrate_recording(
     """
     recording = source.open()
     check_reference(recording, reference, source.path)
+    mistaken = unheard(source.clock_offsets_s, recording.sensors)
     stills = read_stills(recording, progress, cancelled)
     serials = {name: info.serial for name, info in recording.sensors.items()}
     outcome = calibrate_stills(
@@ -106,7 +108,7 @@ def calibrate_recording(
     )  # fmt: skip
     if outcome.station is not None:
         write_station(out, outcome.station)
-    return replace(outcome, warnings=(*recording.warnings, *outcome.warnings))
+    return replace(outcome, warnings=(*recording.warnings, *outcome.warnings, *mistaken))
 
 
 def calibrate_stills(

@@ -34,6 +34,14 @@ class Lineup:
     warnings: tuple[str, ...]
 
 
+def unheard(given_s: Iterable[str], sensors: Iterable[str]) -> list[str]:
+    """Return a warning for each clock offset that is given for a sensor that there is not."""
+    known = set(sensors)
+    return [
+        f"A clock offset is given for {name}, but there is no such sensor." for name in given_s if name not in known
+    ]
+
+
 def line_up(station: Station, sensors: Iterable[SensorInfo], given_s: Mapping[str, float] | None = None) -> Lineup:
     """Return who of the sensors is who of the station.
 
@@ -63,5 +71,5 @@ def line_up(station: Station, sensors: Iterable[SensorInfo], given_s: Mapping[st
         },
         eyes={sensor: Eye(name, infos[sensor].intrinsics, rig.mounts[name].surface) for sensor, name in names.items()},
         rig=rig,
-        warnings=matching.warnings,
+        warnings=(*matching.warnings, *unheard(given, [*infos, *station.sensors])),
     )

@@ -20,6 +20,7 @@ from fruitgui.station.model import Model, read_model
 from fruitgui.station.observing import Watching
 from fruitgui.station.prelude import Prelude, look_ahead
 from fruitgui.station.report import report_value
+from fruitgui.station.silences import Silences
 from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import read_station
@@ -97,6 +98,7 @@ class _Run:
         self._tracker = Tracker(rig, prelude.belt)
         self._line = Line(rig, self._tracker, model, paper, watch)
         self._frames: Counter[str] = Counter()
+        self._silences = Silences()
         self._fruit: list[Fruit] = []
 
     def go(self, progress: Progress) -> None:
@@ -107,6 +109,7 @@ class _Run:
             self._watch.frame(seen.perceived_s + time.perf_counter() - began_s)
             self._take(tracks)
             self._frames[seen.observation.sensor] += 1
+            self._silences.hear(seen.observation.sensor, seen.observation.time_s)
             if self._watch.frames % 50 == 0:
                 progress(0.0, f"{self._watch.frames} frames, {len(self._fruit)} fruit")
         self._take(self._tracker.finish())
@@ -130,6 +133,6 @@ class _Run:
             self._fruit,
             watching.sensors_value(self._frames),
             self._belt_velocity_m_s(),
-            [*watching.warnings(), *self._prelude.warnings],
+            [*watching.warnings(), *self._prelude.warnings, *self._silences.warnings()],
             self._watch.value(),
         )

@@ -74,6 +74,24 @@ def test_one_sensor_alone_counts_what_it_sees_and_the_other_is_missed_aloud(
     assert len(report["fruit"]) >= 7
 
 
+def test_a_sensor_that_falls_silent_and_an_offset_for_none_are_told(
+    run: Callable[..., int], stage: Stage, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source = open_recording(stage.path("line.mcap"))
+    with RecordingWriter(stage.folder / "silent.mcap", source.sensors.values()) as writer:
+        began_s = None
+        for time_s, frame in source.frames():
+            began_s = time_s if began_s is None else began_s
+            if frame.sensor == "kinect_1" or time_s - began_s < 3.0:
+                writer.write(frame)
+    assert run("--clock-offset", "nobody=1", recording="silent.mcap") == 0
+    warnings = report_in(tmp_path)["warnings"]
+    assert any("kinect_2 gave no frames from" in warning for warning in warnings)
+    assert any("nobody" in warning for warning in warnings)
+    judged = score(report_in(tmp_path)["fruit"], stage.line.simulation.truth)
+    assert (judged.lost, judged.double, judged.phantom) == ((), (), ())
+
+
 def test_a_belt_speed_that_is_given_is_used(run: Callable[..., int], tmp_path: Path) -> None:
     assert run("--belt-speed", "0.2") == 0
     assert len(report_in(tmp_path)["fruit"]) == 9
