@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.belt.page import BeltPage
 from fruitgui.gui.steps.calibrate.page import CalibratePage
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.steps.page import StepPage
@@ -13,7 +14,7 @@ from fruitgui.station.workflow import Step
 
 PageMaker = Callable[[Session, Theme], StepPage]
 
-MAKERS: Mapping[Step, PageMaker] = {Step.CONNECT: ConnectPage, Step.CALIBRATE: CalibratePage}
+MAKERS: Mapping[Step, PageMaker] = {Step.CONNECT: ConnectPage, Step.CALIBRATE: CalibratePage, Step.BELT: BeltPage}
 
 
 def make_pages(session: Session, theme: Theme) -> dict[Step, StepPage]:

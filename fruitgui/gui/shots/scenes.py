@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from fruitgui.gui.shots.stage import Scene
+from fruitgui.gui.steps.belt.shots import SCENES as BELT
 from fruitgui.gui.steps.calibrate.shots import SCENES as CALIBRATE
 from fruitgui.gui.steps.connect.shots import SCENES as CONNECT
 
-SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE)
+SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE, *BELT)

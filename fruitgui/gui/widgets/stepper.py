@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QDoubleSpinBox, QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QDoubleSpinBox, QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+
+LEAST_WIDTH = 96
 
 
 class Stepper(QWidget):
@@ -26,6 +28,8 @@ class Stepper(QWidget):
         self.box.setDecimals(digits)
         self.box.setSuffix(f"\u2009{unit}" if unit else "")
         self.box.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.box.setMinimumWidth(LEAST_WIDTH)
+        self.box.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.less, self.more = QToolButton(), QToolButton()
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)

@@ -1,0 +1,363 @@
+"""The screen on which the belt is set."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from PySide6.QtCore import QEvent, QTimer
+from PySide6.QtGui import QAction, QImage
+from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
+
+from fruitgui.frame import F64
+from fruitgui.gui.messages import Level, Message
+from fruitgui.gui.session import Session
+from fruitgui.gui.steps.belt.draft import Draft, added, draft_of, moved, removed, saved_in, undone, with_measured
+from fruitgui.gui.steps.belt.measuring import Motion, measuring
+from fruitgui.gui.steps.belt.projection import Above, Projection, Through, above, plan_points
+from fruitgui.gui.steps.belt.region_canvas import RegionCanvas
+from fruitgui.gui.steps.belt.side_panel import SidePanel
+from fruitgui.gui.steps.belt.tool_row import ABOVE, ToolRow
+from fruitgui.gui.steps.page import StepPage
+from fruitgui.gui.tasks import Task
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.cards import EmptyPlace
+from fruitgui.gui.widgets.pictures import image_of
+from fruitgui.sensors.feed import Feed
+from fruitgui.station.belt_mosaic import Mosaic, mosaic_of
+from fruitgui.station.belt_setting import PlanMotion, area_m2, belt_pose
+from fruitgui.station.fingerprint import calibration_fingerprint
+from fruitgui.station.station import Station
+from fruitgui.station.workflow import Step
+from fruitgui.tracking.belt import BeltMotion
+
+DRAW_MS = 125
+SIDE_WIDTH = 344
+ABOVE_SIZE = (1000, 640)
+MOSAIC_WIDTH = 700
+
+
+class BeltPage(StepPage):
+    """Region in every picture and from above; motion and heights beside."""
+
+    def __init__(self, session: Session, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._draft: Draft | None = None
+        self._station: Station | None = None
+        self._spread_m_s: float | None = None
+        self._shown = ABOVE
+        self._mosaic: Mosaic | None = None
+        self._drawn: object = None
+        self._task: Task[Motion] | None = None
+        self._changed = False
+        self.nothing, self.canvas = EmptyPlace(theme, "belt"), RegionCanvas(theme)
+        self.side, self.tools = SidePanel(session, theme), ToolRow(theme)
+        self._stack = QStackedWidget()
+        self._draw = QTimer(self, interval=DRAW_MS)
+        self.save_action, self.undo_action = QAction(self), QAction(self)
+        self.on_action, self.back_action = QAction(self), QAction(self)
+        self._lay_out()
+        self._connect()
+        self._say_words()
+        self._take_station()
+
+    @property
+    def draft(self) -> Draft | None:
+        """The belt as it stands on the screen."""
+        return self._draft
+
+    def entered(self) -> None:
+        """Draw."""
+        self.side.switch.follow()
+        self._feed_changed()
+        self._draw.start()
+
+    def left(self) -> None:
+        """Rest; what was set and can be is saved."""
+        self._draw.stop()
+        if self._changed and self._draft is not None and not self._draft.problem:
+            self._save()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._say_words()
+            self._show_actions()
+        super().changeEvent(event)
+
+    def _lay_out(self) -> None:
+        scroll = QScrollArea()
+        self.side.setProperty("role", "scrolled")
+        scroll.setWidget(self.side)
+        scroll.setWidgetResizable(True)
+        scroll.setFixedWidth(SIDE_WIDTH)
+        left = QVBoxLayout()
+        left.setSpacing(GRID)
+        left.addWidget(self.tools)
+        left.addWidget(self.canvas, 1)
+        setting = QWidget()
+        row = QHBoxLayout(setting)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(2 * GRID)
+        row.addLayout(left, 1)
+        row.addWidget(scroll)
+        self._stack.addWidget(self.nothing)
+        self._stack.addWidget(setting)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        whole.addWidget(self._stack)
+
+    def _connect(self) -> None:
+        session, canvas, side = self._session, self.canvas, self.side
+        session.station_changed.connect(self._take_station)
+        session.connected.changed.connect(self._feed_changed)
+        self._draw.timeout.connect(self._draw_picture)
+        self.tools.chosen.connect(self._choose_view)
+        self.tools.add.connect(self._add_chosen)
+        self.tools.remove.connect(self._remove_chosen)
+        self.tools.reset.connect(self._take_station)
+        canvas.dragged.connect(self._drag)
+        canvas.added.connect(self._add)
+        canvas.removed.connect(self._remove)
+        side.changed.connect(self._set)
+        side.measure.connect(self._measure)
+        self.save_action.triggered.connect(self._save)
+        self.undo_action.triggered.connect(self._undo)
+        self.on_action.triggered.connect(self._go_on)
+        self.back_action.triggered.connect(self._go_back)
+
+    def _say_words(self) -> None:
+        for action, text, tip, icon, key in (
+            (self.save_action, self.tr("Save belt"), self.tr("Save region, motion and heights"), "save", "Ctrl+Return"),
+            (self.undo_action, self.tr("Undo"), self.tr("Take back the last change to the region"), "undo", "Ctrl+Z"),
+            (self.on_action, self.tr("Teach"), self.tr("Go on to teaching"), "teach", "Ctrl+Return"),
+            (self.back_action, self.tr("Calibrate"), self.tr("Go to calibrating"), "calibrate", "Ctrl+Return"),
+        ):
+            action.setText(text)
+            action.setToolTip(tip)
+            action.setProperty("icon", icon)
+            action.setShortcut(key)
+        self.nothing.show_words(
+            self.tr("No belt is known yet"),
+            self.tr("Calibrate first; then the belt that the sensors found is drawn here, and its region can be set."),
+        )
+        self.canvas.setAccessibleName(self.tr("Region of the belt"))
+        self.canvas.setToolTip(
+            self.tr(
+                "Drag a corner; or: Space next corner, arrows move it (Shift: far), Insert adds one, Del removes it"
+            )
+        )
+
+    # what is shown
+
+    def _take_station(self) -> None:
+        """Begin with what is saved."""
+        station = self._session.station
+        self._station, self._spread_m_s, self._changed = station, None, False
+        self._draft = None if station is None else draft_of(station, self._session.settings)
+        self._stack.setCurrentIndex(0 if station is None else 1)
+        if station is not None:
+            self._shown = self._shown if self._shown in station.sensors else ABOVE
+            self.tools.show_sensors(tuple(station.sensors), self._shown)
+        self._feed_changed()
+
+    def _feed_changed(self) -> None:
+        self._show_view()
+        self._show_draft()
+
+    def _feed(self) -> Feed | None:
+        return self._session.connected.feed
+
+    def _show_view(self) -> None:
+        """Make the projection anew, and what of the pictures goes with it."""
+        station, draft, feed = self._station, self._draft, self._feed()
+        self._drawn, self._mosaic = None, None
+        if station is None or draft is None:
+            return
+        camera = None if feed is None or self._shown not in feed.infos else feed.infos[self._shown].intrinsics
+        if self._shown != ABOVE and camera is not None:
+            self.canvas.show_view(Through(station, self._shown, camera))
+            return
+        view = above(draft.corners_m, draft.axis_rad, *ABOVE_SIZE)
+        self.canvas.show_view(view)
+        if feed is not None and set(feed.infos) & set(station.sensors):
+            height = round(MOSAIC_WIDTH * view.size[1] / view.size[0])
+            cameras = {name: info.intrinsics for name, info in feed.infos.items()}
+            self._mosaic = mosaic_of(station, cameras, plan_points(view, MOSAIC_WIDTH, height))
+
+    def _draw_picture(self) -> None:
+        feed, view = self._feed(), self.canvas.view
+        if feed is None or view is None:
+            return
+        frames = {name: feed.newest(name) for name in feed.infos}
+        if isinstance(view, Above):
+            newest = tuple((name, frame.sequence) for name, frame in frames.items() if frame is not None)
+            if self._mosaic is not None and newest and newest != self._drawn:
+                self._drawn = newest
+                self.canvas.show_image(_rgba(self._mosaic.laid(frames)))
+            return
+        frame = frames.get(self._shown)
+        if frame is not None and frame.sequence != self._drawn:
+            self._drawn = frame.sequence
+            self.canvas.show_image(image_of(frame.color))
+
+    def _show_draft(self) -> None:
+        draft = self._draft
+        if draft is not None:
+            self.canvas.show_region(draft.corners_m, draft.axis_rad, _arrow(draft, self.canvas.view))
+            self.tools.show_region(len(draft.corners_m), area_m2(draft.corners_m))
+            self.side.show_draft(draft, self._spread_m_s)
+        self.side.busy(self._task is not None, ready=self._feed() is not None)
+        self._show_actions()
+
+    def _show_actions(self) -> None:
+        draft = self._draft
+        if draft is None:
+            self.offer(self.back_action)
+            self.say(self.tr("Calibrate the sensors first."))
+            return
+        done = not self._changed and self._session.marks.belt_calibration == self._fingerprint()
+        self.undo_action.setEnabled(draft.before is not None)
+        self.save_action.setEnabled(not draft.problem and self._task is None)
+        self.offer(self.on_action if done else self.save_action, self.undo_action)
+        self.say(self._advice(draft, done))
+
+    def _advice(self, draft: Draft, done: bool) -> str:
+        if draft.problem == "heights":
+            return self.tr("The tallest fruit must be taller than the shortest.")
+        if done:
+            return self.tr("The belt is set. Drag a corner to change it.")
+        if self._task is not None:
+            return self.tr("Fruit must pass before the sensors now.")
+        return self.tr("Drag the corners to where fruit may be, set how the belt moves, then save.")
+
+    def _fingerprint(self) -> str:
+        return "" if self._station is None else calibration_fingerprint(self._station)
+
+    # what is done
+
+    def _choose_view(self, shown: str) -> None:
+        self._shown = shown
+        self._show_view()
+        self._show_draft()
+        self._draw_picture()
+
+    def _edit(self, draft: Draft) -> None:
+        if draft is not self._draft:
+            self._draft, self._changed = draft, True
+            self._show_draft()
+
+    def _drag(self, corner: int, to_m: F64, let_go: bool) -> None:
+        draft = self._draft
+        if draft is None:
+            return
+        base = draft if draft.dragging is None else draft.dragging
+        after = moved(base, corner, to_m)
+        if after is base:
+            return
+        self._edit(after if let_go else after.held(base))
+
+    def _add(self, corner: int) -> None:
+        if self._draft is not None:
+            self._edit(added(self._draft, corner))
+
+    def _remove(self, corner: int) -> None:
+        if self._draft is not None:
+            self._edit(removed(self._draft, corner))
+
+    def _add_chosen(self) -> None:
+        self._add(self.canvas.corner)
+
+    def _remove_chosen(self) -> None:
+        self._remove(self.canvas.corner)
+
+    def _set(self, draft: Draft) -> None:
+        if self._spread_m_s is not None and draft.motion != (None if self._draft is None else self._draft.motion):
+            self._spread_m_s = None  # what is typed was not measured
+        self._edit(draft)
+
+    def _undo(self) -> None:
+        if self._draft is not None:
+            self._edit(undone(self._draft))
+
+    def _measure(self) -> None:
+        feed, station = self._feed(), self._station
+        if feed is None or station is None or self._task is not None:
+            return
+        self._task = self._session.tasks.run(self.tr("Measuring the belt"), measuring(feed, station))
+        self._task.succeeded.connect(self._take_motion)
+        self._task.failed.connect(self._session.messages.error)
+        self._task.ended.connect(self._measured)
+        self._show_draft()
+
+    def _take_motion(self, found: Motion) -> None:
+        station, draft = self._station, self._draft
+        if station is None or draft is None:
+            return
+        if found.motion is None:
+            self._session.messages.warn(
+                self.tr("No fruit passed from which the speed could be told."),
+                self.tr("Let the belt run with single fruit on it, and measure again; or type the speed."),
+            )
+            return
+        plan = plan_motion(station, found.motion)
+        self._spread_m_s = float(np.sqrt(max(np.trace(found.motion.covariance), 0.0) / 3.0))
+        self._edit(with_measured(draft, plan))
+
+    def _measured(self) -> None:
+        self._task = None
+        self._show_draft()
+
+    def _save(self) -> None:
+        draft, station = self._draft, self._station
+        if draft is None or station is None or draft.problem:
+            return
+        session, before, marks = self._session, station, self._session.marks
+        settings = session.settings
+        heights = {"shortest_fruit_m": draft.shortest_m, "tallest_fruit_m": draft.tallest_m}
+        spread = self._spread_m_s
+        self._changed = False
+        if settings.model_copy(update=heights) != settings:
+            session.save_settings(settings.model_copy(update=heights))
+        session.save_station(saved_in(draft, station))
+        session.save_marks(marks.model_copy(update={"belt_calibration": calibration_fingerprint(station)}))
+        self._spread_m_s = spread
+        self._show_draft()
+
+        def take_back() -> None:
+            session.save_station(before)
+            session.save_marks(marks)
+            session.save_settings(settings)
+
+        text = self.tr("The belt is saved.")
+        session.messages.say(Message(Level.GOOD, text, action=self.tr("Undo"), act=take_back))
+
+    def _go_on(self) -> None:
+        self.step_wanted.emit(Step.TEACH)
+
+    def _go_back(self) -> None:
+        self.step_wanted.emit(Step.CALIBRATE)
+
+
+def plan_motion(station: Station, motion: BeltMotion) -> PlanMotion:
+    """Return a motion of the reference frame on the plan."""
+    vx, vy, _ = belt_pose(station).turn(motion.velocity_m_s)
+    return PlanMotion(float(np.hypot(vx, vy)), math.atan2(vy, vx))
+
+
+def _arrow(draft: Draft, view: Projection | None) -> tuple[F64, F64] | None:
+    """Return an arrow on the belt in the middle of the view, as long as it moves in two seconds, within reason."""
+    motion = draft.motion
+    if motion is None:
+        return None
+    middle = draft.corners_m.mean(axis=0) if view is None else view.plan(np.array([view.size]) / 2.0)[0]
+    way = np.array([math.cos(motion.heading_rad), math.sin(motion.heading_rad)])
+    length_m = min(max(2.0 * motion.speed_m_s, 0.15), 0.5)
+    return middle - way * length_m / 2, middle + way * length_m / 2
+
+
+def _rgba(mosaic: np.ndarray) -> QImage:
+    height, width = mosaic.shape[:2]
+    return QImage(mosaic.data, width, height, 4 * width, QImage.Format.Format_RGBA8888).copy()
