@@ -75,7 +75,7 @@ def test_one_sensor_alone_counts_what_it_sees_and_the_other_is_missed_aloud(
 
 
 def test_a_sensor_that_falls_silent_and_an_offset_for_none_are_told(
-    run: Callable[..., int], stage: Stage, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    run: Callable[..., int], stage: Stage, tmp_path: Path
 ) -> None:
     source = open_recording(stage.path("line.mcap"))
     with RecordingWriter(stage.folder / "silent.mcap", source.sensors.values()) as writer:
