@@ -12,13 +12,14 @@ from typing import Literal
 from fruitgui.errors import WorldError
 from fruitgui.progress import Cancelled, never_cancelled, stop_if
 from fruitgui.records.migrating import NEWER, PICTURES, RECORDS, Schema, opened, refuse_newer, version_of
-from fruitgui.records.told import DAMAGED, FAILED, told
+from fruitgui.records.told import DAMAGED, damaged, told
 from fruitgui.station import kept_file
 
 State = Literal["missing", "ok", "older", "newer", "damaged", "unreadable"]
-"""`older` is brought up to date by opening; `newer` needs a newer program; `unreadable` may be sound: rights, locks."""
+"""`older` is brought up to date by opening; `newer` needs a newer program; `unreadable` may be sound: rights, locks,
+the disk."""
 
-GLANCE_S = 0.5
+GLANCE_S = 0.2
 """How long a glance goes through a file; most damage shows at its beginning, or where it is read."""
 
 _STEPS = 20_000
@@ -88,7 +89,7 @@ def _condition(path: Path, schema: Schema, check: Callable[[Path], None]) -> Fil
     return FileCondition(path, "ok" if found == schema.version else "older")
 
 
-_BAD: dict[str, State] = {NEWER: "newer", DAMAGED: "damaged", FAILED: "damaged"}
+_BAD: dict[str, State] = {NEWER: "newer", DAMAGED: "damaged"}
 
 
 def _glanced(path: Path) -> None:
@@ -117,9 +118,7 @@ def _check(path: Path, enough: Callable[[], bool]) -> None:
                 return
             raise
     if said != "ok":
-        raise WorldError(
-            DAMAGED, f"{path} is damaged ({said}).", "Set it aside and restore the last good backup.", file=path
-        )
+        raise damaged(path, said)
 
 
 def set_aside(path: Path) -> Path | None:

@@ -8,6 +8,7 @@ import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from unicodedata import combining, normalize
 
 from sqlalchemy import Connection, Engine, create_engine, event
 from sqlalchemy.orm import Session
@@ -87,10 +88,16 @@ def _connect(path: Path) -> sqlite3.Connection:
     try:
         for pragma in _PRAGMAS:
             connection.execute(pragma)
+        connection.create_function("folded", 1, folded, deterministic=True)
     except sqlite3.Error:
         connection.close()
         raise
     return connection
+
+
+def folded(text: str) -> str:
+    """Return a text for searching, without case and accents: who types `penon` means Peñón."""
+    return "".join(letter for letter in normalize("NFKD", text.casefold()) if not combining(letter))
 
 
 def _begin(connection: Connection) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, func, or_, select
 from sqlalchemy.orm import Session
 
+from fruitgui.records.database import folded
 from fruitgui.records.lot import Lot, lots_of
 from fruitgui.records.tables import LotRow
 from fruitgui.records.totals import KindTotal, totals
@@ -19,7 +20,7 @@ class LotQuery:
     """Which lots are wanted.
 
     Attributes:
-        words: each must be part of the name or the grower, whatever its case (of ASCII letters).
+        words: each must be part of the name or the grower, whatever its case and accents.
         from_s, to_s: started within, Unix seconds.
         first: of those found, the newest being 0.
         count: on the page.
@@ -90,8 +91,8 @@ def find(session: Session, query: LotQuery) -> LotPage:
 
 def _conditions(query: LotQuery) -> Sequence[ColumnElement[Any]]:
     words = [
-        or_(LotRow.name.icontains(word, autoescape=True), LotRow.grower.icontains(word, autoescape=True))
-        for word in query.words.split()
+        or_(*(func.folded(column).contains(word, autoescape=True) for column in (LotRow.name, LotRow.grower)))
+        for word in folded(query.words).split()
     ]
     since = [] if query.from_s is None else [LotRow.started_s >= query.from_s]
     until = [] if query.to_s is None else [LotRow.started_s <= query.to_s]

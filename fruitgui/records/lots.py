@@ -86,7 +86,7 @@ class Lots:
             row = _still_open(session, lot)
             pause = _open_pause(session, lot)
             if pause is not None:
-                pause.to_s = self._now_s()
+                pause.to_s = max(self._now_s(), pause.from_s)  # the computer's clock may have been set back
             return lot_of(session, row)
 
     def take_up(self, lot: int) -> Lot:
@@ -105,8 +105,8 @@ class Lots:
         with self._database.writing() as session:
             row = lot_row(session, lot)
             if row.ended_s is None:
-                row.ended_s = self._now_s()
                 pause = _open_pause(session, lot)
+                row.ended_s = max(self._now_s(), row.started_s if pause is None else pause.from_s)
                 if pause is not None:
                     pause.to_s = row.ended_s
             return lot_of(session, row)

@@ -11,7 +11,7 @@ from pathlib import Path
 from fruitgui.errors import WorldError
 from fruitgui.files import written_whole
 from fruitgui.records.database import Database
-from fruitgui.records.told import told
+from fruitgui.records.told import damaged, told
 
 NEWER = "store_newer"
 SCRIPTS = Path(__file__).parent / "migrations"
@@ -48,7 +48,7 @@ def version_of(path: Path) -> str | None:
         tables = [name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")]
         if "alembic_version" not in tables:
             if tables:
-                raise sqlite3.DatabaseError("it holds other tables than ours")
+                raise damaged(path, "it holds other tables than ours")
             return None
         row = connection.execute("SELECT version_num FROM alembic_version").fetchone()
         return None if row is None else str(row[0])

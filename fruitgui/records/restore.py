@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
 import tempfile
 import zipfile
 import zlib
+from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import datetime
 from errno import ENOSPC
@@ -61,6 +63,17 @@ class Restored:
 def find_backups(folder: Path) -> list[Path]:
     """Return the backups that lie in a workspace, the newest first, whole or not."""
     return sorted((folder / FOLDER).glob("backup-*.zip"), reverse=True)
+
+
+def contents(path: Path) -> Backup:
+    """Return what a backup says that it holds; quick, and nothing is checked yet.
+
+    Raises:
+        InputError: it is no backup.
+        WorldError: it cannot be read.
+    """
+    with _told(path, path.parent), zipfile.ZipFile(path) as archive:
+        return _backup(path, _read_manifest(path, archive))
 
 
 def last_good_backup(folder: Path, cancelled: Cancelled = never_cancelled) -> Backup | None:
@@ -167,22 +180,32 @@ def _cleaned_up(folder: Path) -> tempfile.TemporaryDirectory[str]:
 
 def _unpack(path: Path, into: Path, progress: Progress, cancelled: Cancelled) -> Backup:
     """Unpack a backup into an empty folder, and check all of it."""
+    with _told(path, into), zipfile.ZipFile(path) as archive:
+        manifest = _read_manifest(path, archive)
+        for at, (name, file) in enumerate(manifest.files.items()):
+            progress(at / len(manifest.files), name)
+            _unpack_file(path, archive, name, file, into, cancelled)
+    for schema in (RECORDS, PICTURES):
+        if schema.file in manifest.files:
+            refuse_newer(into / schema.file, schema)
+            check_whole(into / schema.file, cancelled)
+    return _backup(path, manifest)
+
+
+@contextlib.contextmanager
+def _told(path: Path, into: Path) -> Iterator[None]:
+    """Turn what reading a zip, or writing its files, fails with into one sentence and a remedy."""
     try:
-        with zipfile.ZipFile(path) as archive:
-            manifest = _read_manifest(path, archive)
-            for at, (name, file) in enumerate(manifest.files.items()):
-                progress(at / len(manifest.files), name)
-                _unpack_file(path, archive, name, file, into, cancelled)
+        yield
     except (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError, EOFError) as error:
         raise _bad(path, f"it is not a sound zip ({error})") from error
     except FileNotFoundError as error:
         raise InputError("cannot_read", f"Cannot read {path}: {error.strerror}.", REMEDY, file=path) from error
     except OSError as error:
         raise _cannot_unpack(into, error) from error
-    for schema in (RECORDS, PICTURES):
-        if schema.file in manifest.files:
-            refuse_newer(into / schema.file, schema)
-            check_whole(into / schema.file, cancelled)
+
+
+def _backup(path: Path, manifest: _Manifest) -> Backup:
     return Backup(path, manifest.made_s, {name: (one.bytes, one.sha256) for name, one in manifest.files.items()})
 
 

@@ -76,6 +76,12 @@ def _is_ours(error: sqlite3.Error) -> bool:
     return isinstance(error, (sqlite3.IntegrityError, sqlite3.ProgrammingError, sqlite3.InterfaceError))
 
 
+def damaged(path: Path, what: str) -> WorldError:
+    """Return that a file is damaged, and how that shows."""
+    said, remedy = _SAID[DAMAGED]
+    return WorldError(DAMAGED, said.format(name=path, detail=what), remedy, file=path)
+
+
 def failure(path: Path, error: sqlite3.Error) -> WorldError:
     """Return what a database's error means to a person."""
     code = _CODES.get(getattr(error, "sqlite_errorcode", sqlite3.SQLITE_ERROR) & 0xFF, FAILED)

@@ -16,7 +16,7 @@ from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.migrating import RECORDS
-from fruitgui.records.restore import READY, check_backup, finish_restore, last_good_backup, restore
+from fruitgui.records.restore import READY, check_backup, contents, finish_restore, last_good_backup, restore
 from fruitgui.records.store import open_store
 from tests.unit.station.fruit_made import made_crops, made_fruit
 
@@ -197,6 +197,7 @@ def test_the_last_good_backup_is_found_among_bad_ones(tmp_path: Path) -> None:
     good = back_up(folder, backup_path(folder, NOW_S), NOW_S)
     backup_path(folder, NOW_S + 60).write_bytes(b"cut off")
     assert last_good_backup(folder) == good
+    assert contents(good.path) == good
 
 
 @pytest.mark.parametrize("moves", range(6))

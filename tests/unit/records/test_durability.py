@@ -16,6 +16,7 @@ import pytest
 
 from fruitgui.errors import WorldError
 from fruitgui.records import database
+from fruitgui.records.condition import glance
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.store import Store, open_store
@@ -85,6 +86,16 @@ def tiny_disk(tmp_path: Path) -> Path:
     ):
         pytest.skip("only root can mount a tiny disk")
     return folder
+
+
+def test_a_disk_that_may_only_be_read_is_told(tiny_disk: Path, request: pytest.FixtureRequest) -> None:
+    request.addfinalizer(lambda: subprocess.run(["umount", "-l", str(tiny_disk)], check=True))
+    open_store(tiny_disk).close()
+    subprocess.run(["mount", "-o", "remount,ro", str(tiny_disk)], check=True)
+    assert [one.state for one in glance(tiny_disk).wrong] == ["unreadable", "unreadable"]
+    with pytest.raises(WorldError) as caught:
+        open_store(tiny_disk)
+    assert caught.value.code == "store_read_only"
 
 
 def _fill(path: Path) -> None:

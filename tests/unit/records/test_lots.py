@@ -51,6 +51,13 @@ def test_pauses_are_left_out_of_the_time_that_it_ran(store: Store, lot: Lot, clo
     assert ended.ran_s(clock.now_s + 1000) == 120
 
 
+def test_a_clock_set_back_makes_no_negative_times(store: Store, lot: Lot, clock: Clock) -> None:
+    store.lots.pause(lot.key)
+    clock.now_s -= 3600
+    assert store.lots.resume(lot.key).pauses[0].to_s == lot.started_s
+    assert store.lots.end(lot.key).ran_s(clock.now_s) == 0
+
+
 def test_a_lot_found_open_goes_on_without_the_time_in_between(store: Store, lot: Lot, clock: Clock) -> None:
     clock.now_s += 10
     store.commit(lot.key, made_fruit(1), ())

@@ -43,6 +43,8 @@ def test_lots_are_found_by_word_and_date_the_newest_first_with_their_totals(stor
     page = store.lots.find(LotQuery(words="fundo", first=1, count=1))
     assert ([line.lot.name for line in page.lots], page.found) == (["1184"], 2)
     assert store.lots.find(LotQuery(words="fundo 1186")).found == 1
+    for words in ("penon", "PEÑÓN", "Fundo peñon"):
+        assert [line.lot.name for line in store.lots.find(LotQuery(words=words)).lots] == ["1184"]
     assert [line.lot.name for line in store.lots.find(LotQuery(words="_100%")).lots] == ["1185"]
     assert store.lots.find(LotQuery(from_s=clock.now_s - 90_000, to_s=clock.now_s - 1)).found == 1
 

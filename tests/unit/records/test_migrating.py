@@ -150,4 +150,4 @@ def test_a_database_of_another_program_is_refused(tmp_path: Path) -> None:
     connection.close()
     with pytest.raises(WorldError) as caught:
         open_store(tmp_path)
-    assert caught.value.code == "store_failed"
+    assert caught.value.code == "store_damaged"
