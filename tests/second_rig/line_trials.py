@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any
 
 from tests.second_rig.kinect import Noise
-from tests.second_rig.lines import LinePlan, line
+from tests.second_rig.lines import LinePlan, at_rest, line
 from tests.second_rig.mcap_files import PLAIN, Style, record
 from tests.second_rig.produce import KINDS
 from tests.second_rig.product import Outcome, fruitgui, require
 from tests.second_rig.scene import Scene
-from tests.second_rig.scores import Account, account, mean, measured, rate
+from tests.second_rig.scores import Account, PoseError, account, mean, measured, pose_errors, rate
 from tests.second_rig.truth_files import write_labels, write_station
 
 BIASED = (Noise(fattening_px=2.0, scale_error=0.006), Noise(fattening_px=2.0, scale_error=-0.006))
@@ -45,17 +45,31 @@ class Trial:
     found: Account
 
 
-def train(plan: LinePlan, seed: int, folder: Path, name: str) -> tuple[Path, Path, dict[str, Any]]:
-    """Record two training lines at different light, train on them; return station, model and what training said."""
+def calibrate(plan: LinePlan, seed: int, folder: Path, name: str) -> tuple[Path, PoseError]:
+    """Let the product find the rig by itself; return its station, and how wrong the other sensor's pose is."""
+    scene = at_rest(seed, plan)
+    recording = record(scene, folder / f"{name}-still-{seed}.mcap")
+    station = folder / f"{name}-{seed}-station.json"
+    require(fruitgui("calibrate", recording, "--station", station, "--reference", scene.eyes[0].name), 0)
+    return station, pose_errors(scene, json.loads(station.read_text()))[0]
+
+
+def train(plan: LinePlan, seed: int, folder: Path, name: str, station: Path | None = None
+          ) -> tuple[Path, Path, dict[str, Any]]:  # fmt: skip
+    """Record two training lines at different light, train on them; return station, model and what training said.
+
+    Without a station the true one serves.
+    """
     recordings, labels = [], []
-    station = folder / f"{name}-station.json"
+    given, station = station is not None, station or folder / f"{name}-station.json"
     for n, light in enumerate((150.0, 800.0)):
         day = replace(plan, fruit=30, light_lx=light, touching=0.0, foreign=0, speed_m_s=0.25, silent_s=0.0, stop_s=0.0,
                       clock_s=0.0)  # fmt: skip
         scene = line(seed + 500 + n, day)
         recordings.append(record(scene, folder / f"{name}-train-{n}.mcap"))
         labels.append(write_labels(folder / f"{name}-train-{n}.csv", scene))
-        write_station(station, scene)
+        if not given:
+            write_station(station, scene)
     model = folder / f"{name}.model"
     said = require(fruitgui("train", *recordings, "--labels", *labels, "--station", station, "--model", model), 0)
     return station, model, said

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from tests.second_rig.kinect import Noise
 from tests.second_rig.produce import FOREIGN, KINDS, Thing, grow
 from tests.second_rig.scene import Actor, Drive, Eye, Scene, lay
 from tests.second_rig.setting import Setting
-from tests.second_rig.stills import furnish
+from tests.second_rig.stills import furnish, scatter
 
 LEAD_M = 0.95
 """How far before the middle the first thing starts and behind it the last one ends: out of every picture."""
@@ -30,6 +30,7 @@ class LinePlan:
         mingling: share of foreign things that touch what comes before them, be it fruit or not.
         clock_s: what the second sensor's clock shows more.
         rig: seed of the sensors' places and the belt (shared by training and running).
+        grain: how strongly the belt's texture shows; None for the rig's own.
     """
 
     fruit: int = 60
@@ -42,6 +43,7 @@ class LinePlan:
     stop_s: float = 0.0
     clock_s: float = 0.0
     rig: int = 0
+    grain: float | None = None
     lens: Lens = KINECT
     noises: tuple[Noise, Noise] = (Noise(), Noise())
     foreign_kinds: tuple[str, ...] = FOREIGN
@@ -51,7 +53,7 @@ class LinePlan:
 def line(seed: int, plan: LinePlan) -> Scene:
     """Return a line of fruit, kinds in equal parts, in random order."""
     rng = np.random.default_rng([seed, 3])
-    setting, stands = rig(plan.rig)
+    setting, stands = rig(plan.rig, plan.grain)
     kinds = [KINDS[n % len(KINDS)] for n in range(plan.fruit)]
     kinds += [plan.foreign_kinds[n % len(plan.foreign_kinds)] for n in range(plan.foreign)]
     things = [grow(str(kind), rng) for kind in rng.permutation(kinds)]
@@ -66,10 +68,24 @@ def line(seed: int, plan: LinePlan) -> Scene:
     return Scene(seed, setting, eyes, actors, seconds, drive, plan.light_lx)
 
 
-def rig(seed: int) -> tuple[Setting, tuple[Stand, Stand]]:
+def at_rest(seed: int, plan: LinePlan, captures: int = 8) -> Scene:
+    """Return the same rig's belt standing still with fruit scattered on it, to calibrate by."""
+    rng = np.random.default_rng([seed, 6])
+    setting, stands = rig(plan.rig, plan.grain)
+    things = [grow(KINDS[n % len(KINDS)], rng) for n in range(14)]
+    actors = scatter(things, np.zeros(2), np.array([0.32, setting.width_m / 2 - 0.06]), rng)
+    eyes = tuple(
+        Eye(name, stand, plan.lens, noise, first_s, 0.2)
+        for name, stand, noise, first_s in zip(("east", "west"), stands, plan.noises, (0.0, 0.1), strict=True)
+    )
+    return Scene(seed, setting, eyes, actors, 0.2 * captures, light_lx=plan.light_lx)
+
+
+def rig(seed: int, grain: float | None = None) -> tuple[Setting, tuple[Stand, Stand]]:
     """Return a belt and two opposed stands about 1.1 m from its middle."""
     rng = np.random.default_rng([seed, 4])
     setting = furnish(rng)
+    setting = setting if grain is None else replace(setting, grain=grain)
     stands = []
     for side in (1.0, -1.0):
         angle = side * np.pi / 2 + rng.normal(0.0, 0.12)
