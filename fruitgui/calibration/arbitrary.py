@@ -1,208 +1,202 @@
 """Register two views of any scene, with no belt and no guess: the error study's own registration.
 
-Features of shape (FPFH, Rusu 2009) give several first guesses by RANSAC; each is settled on
-thinned clouds, and where enough of them meets, refined by point-to-plane ICP and judged by what
-one view sees where the other looks through. Views whose guesses contradict each other, or that
-meet over too little, are left out with a reason.
+A pair of views is registered once for both directions. What is found is judged by what each view sees where the
+other's surfaces would stand, and by how firmly these hold it; what is contradicted, meets over too little or could
+slide is left out with a reason.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+import cv2
 import numpy as np
 
+from fruitgui.calibration.guesses import Shape, differ, guesses, shape
 from fruitgui.calibration.paper import point_to_point
-from fruitgui.calibration.still import INVERSE_NOISE, INVERSE_STEP, Still
+from fruitgui.calibration.patches import Patches, patches
+from fruitgui.calibration.sliding import LEAST_SPREAD, NEARLY, ROUGHLY, Slid, Stage, pixels, slide
+from fruitgui.calibration.still import SAME_READING, Still
+from fruitgui.frame import F32, F64, Bools
 from fruitgui.geometry.pose import Pose
 
-if TYPE_CHECKING:
-    import open3d as o3d
+GRAIN_SHARE = 0.025
+"""Shape is described in grains of this share of how far the views look."""
 
-VOXEL_M = 0.05
-FINE_M, FINE_SHARE = 0.03, 0.012
-"""Points are averaged over 12 mm for each metre of distance, 30 mm at most: finer grids gave the same poses (0.60° and
-23 mm against 0.62° and 23 mm, 39 pairs of a kitchen) at twice the time."""
-GUESSES = 2
-FARTHEST_M = 3.5
 LEAST_OVERLAP = 0.35
-HOPELESS = 0.6 * LEAST_OVERLAP
-"""A guess of which less meets once settled roughly is not refined: refining adds a few hundredths."""
-MOST_THROUGH = 0.06
-LEAST_INFORMATION = 0.004
-SAME_M, SAME_RAD = 0.05, float(np.radians(4.0))
+"""Of the view of which more meets: the other may look from farther off and see much besides."""
+
+LEAST_OF_OTHER = 0.12
+MOST_THROUGH = 0.02
+WORST_STD_M = 0.0025
+"""How loosely surfaces may hold a pose, where residuals spread as a sound Kinect's do. It is shape that is asked for:
+with a device that bends depth everything is held in proportion more loosely, which is its own fault."""
+
+HOPELESS_THROUGH = 0.30
+PAPER_REACH_M = 0.05
+TOLD_BY = 3
+"""A view's patches are thinned by this where a rough answer will do."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scan:
-    """One view made ready: a cloud with normals for ICP, and a thinned one with features for guesses."""
+    """One view made ready: all work that its pairs share.
 
-    still: Still
-    fine: o3d.geometry.PointCloud
-    thin: o3d.geometry.PointCloud
-    features: o3d.pipelines.registration.Feature
+    Attributes:
+        patches: of its surface.
+        shape: what its places look like.
+        nearest, farthest: (H, W) largest and smallest inverse depth within two pixels, 1/m.
+        sure: (H, W) most pixels around have a reading.
+    """
+
+    patches: Patches
+    shape: Shape
+    nearest: F32
+    farthest: F32
+    sure: Bools
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Match:
-    """A registration of two views of any scene.
+    """A registration of two views, one direction of it.
 
     Attributes:
         pose: source's optical frame → target's; None where it is left out.
         paper: what plain point-to-point ICP makes of the same first guess; None where left out.
         reason: why it is left out, or empty.
         overlap: share of the source that meets the target.
-        starts: the first guesses.
     """
 
     pose: Pose | None
     paper: Pose | None
     reason: str
     overlap: float
-    starts: tuple[Pose, ...]
 
 
-def scan(still: Still) -> Scan:
-    """Prepare one view."""
-    import open3d as o3d
+@dataclass(frozen=True, slots=True, eq=False)
+class Link:
+    """A registration of two views, both directions at once.
 
-    stride = max(1, round(still.intrinsics.width / 320))
-    points = still.points()[::stride, ::stride].reshape(-1, 3).astype(np.float64)
-    points = points[(points[:, 2] > 0) & (points[:, 2] < FARTHEST_M)]
-    cloud = o3d.geometry.PointCloud()
-    cloud.points = o3d.utility.Vector3dVector(points)
-    fine = cloud.voxel_down_sample(min(FINE_M, FINE_SHARE * float(np.median(points[:, 2]))))
-    fine.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(0.07, 30))
-    fine.orient_normals_towards_camera_location(np.zeros(3))
-    thin = cloud.voxel_down_sample(VOXEL_M)
-    thin.estimate_normals(o3d.geometry.KDTreeSearchParamHybrid(2 * VOXEL_M, 30))
-    thin.orient_normals_towards_camera_location(np.zeros(3))
-    features = o3d.pipelines.registration.compute_fpfh_feature(
-        thin, o3d.geometry.KDTreeSearchParamHybrid(5 * VOXEL_M, 100)
-    )
-    return Scan(still, fine, thin, features)
-
-
-def register_any(source: Scan, target: Scan, seed: int = 0, known: Match | None = None) -> Match:
-    """Find the pose of the source in the target's frame with no guess, or say why it cannot be trusted.
-
-    `known` is the match of the reverse pair, if there is one: its first guesses, turned round, serve again.
+    Attributes:
+        pose: the first view's optical frame → the second's, with its covariance; the best there is, though doubted.
+        start: the first guess it came from. Both None where nothing was found.
+        overlap: share of the first view that meets the second, and the reverse.
+        through: share of the first that the second looks through, and the reverse.
+        doubt: why it is not to be trusted, or empty.
     """
-    starts = _guesses(source, target, seed) if known is None else [start.inverse() for start in known.starts]
-    settled = [(start, pose) for start in starts if (pose := settle(source, target, start)) is not None]
-    found = [
-        (_judged(source.fine, target, refined), start, refined)
-        for start, pose in settled
-        if (refined := refine_any(source, target, pose)) is not None
-    ]
-    if not found:
-        return Match(None, None, f"too little overlap: no first guess lets {HOPELESS:.0%} meet", 0.0, tuple(starts))
-    found.sort(key=lambda entry: -entry[0][0] + 4 * entry[0][1])
-    (overlap, through, information), start, pose = found[0]
-    why = _doubt(overlap, through, information)
-    if not why:
-        others = [(one[0] - 4 * one[1], other) for one, _, other in found[1:]]
-        if any(score > 0.85 * (overlap - 4 * through) and _differs(pose, other) for score, other in others):
-            why = "ambiguous: two different poses fit about as well"
-    if why:
-        return Match(None, None, why, overlap, tuple(starts))
-    paper = point_to_point(np.asarray(source.fine.points), np.asarray(target.fine.points), start, reach_m=0.05)
-    return Match(pose, paper, "", overlap, tuple(starts))
+
+    pose: Pose | None
+    start: Pose | None
+    overlap: tuple[float, float]
+    through: tuple[float, float]
+    doubt: str
+
+    @property
+    def score(self) -> float:
+        """The more the better: links of one pair may be compared."""
+        return max(self.overlap) + min(self.overlap) - 8.0 * max(self.through)
 
 
-def _doubt(overlap: float, through: float, information: float) -> str:
-    if overlap < LEAST_OVERLAP:
-        return f"too little overlap: {overlap:.0%} of the source meets the target"
-    if through > MOST_THROUGH:
-        return f"contradicted: the target looks through {through:.0%} of the source"
-    if information < LEAST_INFORMATION:
-        return "too little structure: surfaces could slide on each other"
+NOTHING = Link(None, None, (0.0, 0.0), (1.0, 1.0), "too little overlap: no places look alike")
+
+
+def grain_m(stills: Sequence[Still]) -> float:
+    """Return the grain at which all these views are described: it goes with how far they look."""
+    depths = [float(np.median(still.inverse_depth[still.seen])) for still in stills if still.seen.any()]
+    return GRAIN_SHARE / float(np.median(depths)) if depths else GRAIN_SHARE
+
+
+def scan(still: Still, grain_m: float) -> Scan:
+    """Prepare one view."""
+    fitted = patches(still)
+    reach = 2 * max(1, round(2 * still.intrinsics.width / 640)) + 1
+    kernel = np.ones((reach, reach), np.uint8)
+    q = still.inverse_depth
+    return Scan(
+        patches=fitted,
+        shape=shape(fitted, grain_m),
+        nearest=np.asarray(cv2.dilate(q, kernel), dtype=np.float32),
+        farthest=np.asarray(-cv2.dilate(np.where(q > 0, -q, -np.inf).astype(np.float32), kernel), dtype=np.float32),
+        sure=np.asarray(cv2.boxFilter((q > 0).astype(np.float32), -1, (reach, reach)) > 0.7),
+    )
+
+
+def search(first: Scan, second: Scan) -> Link:
+    """Register two views from nothing but themselves."""
+    links = []
+    for start in guesses(first.shape, second.shape):
+        if max(judged(first, second, start, TOLD_BY)[1]) < HOPELESS_THROUGH:
+            rough = slide(first.patches, second.patches, start, ROUGHLY, TOLD_BY)
+            if rough is not None:
+                links.append(settled(first, second, rough.pose, start))
+    if not links:
+        return NOTHING
+    links.sort(key=lambda link: -link.score)
+    best = links[0]
+    rivals = [link for link in links[1:] if _rival(best, link)]
+    if rivals and not best.doubt:
+        return Link(best.pose, best.start, best.overlap, best.through, "ambiguous: two different poses fit as well")
+    return best
+
+
+def _rival(best: Link, other: Link) -> bool:
+    if best.pose is None or other.pose is None or max(other.through) > 2 * MOST_THROUGH:
+        return False
+    return differ(best.pose, other.pose, 0.02, np.radians(1.5)) and other.score > 0.85 * best.score
+
+
+def settled(first: Scan, second: Scan, near: Pose, start: Pose, schedule: tuple[Stage, ...] = NEARLY) -> Link:
+    """Slide two views that lie nearly on each other to rest, and judge the result."""
+    slid = slide(first.patches, second.patches, near, schedule)
+    if slid is None:
+        return NOTHING
+    overlap, through = judged(first, second, slid.pose)
+    return Link(slid.pose, start, overlap, through, _doubt(overlap, through, slid))
+
+
+def _doubt(overlap: tuple[float, float], through: tuple[float, float], slid: Slid) -> str:
+    if max(overlap) < LEAST_OVERLAP or min(overlap) < LEAST_OF_OTHER:
+        return f"too little overlap: {max(overlap):.0%} of one view meets the other, {min(overlap):.0%} of the other"
+    if max(through) > MOST_THROUGH:
+        return f"contradicted: one view looks through {max(through):.1%} of the other"
+    loose = held_to_m(slid.pose)
+    if loose > WORST_STD_M * slid.spread / LEAST_SPREAD:
+        return f"too little structure: surfaces hold it to {1e3 * loose:.1f} mm only"
     return ""
 
 
-def _differs(one: Pose, other: Pose) -> bool:
-    moved, turned = one.distance_to(other, np.array([[0.0, 0.0, 1.5]]))
-    return moved > SAME_M or turned > SAME_RAD
+def held_to_m(pose: Pose) -> float:
+    """Return the largest standard deviation of where a pose puts what lies a metre before the target's sensor."""
+    if pose.covariance is None:
+        return np.inf
+    J = pose.point_jacobian(np.array([0.0, 0.0, 1.0]))
+    return float(np.sqrt(np.linalg.eigvalsh(J @ pose.covariance @ J.T)[-1]))
 
 
-def _guesses(source: Scan, target: Scan, seed: int) -> list[Pose]:
-    import open3d as o3d
-
-    registration = o3d.pipelines.registration
-    guesses: list[Pose] = []
-    for k in range(GUESSES):
-        o3d.utility.random.seed(1000 * seed + k)
-        with o3d.utility.VerbosityContextManager(o3d.utility.VerbosityLevel.Error):  # its warnings go to our output
-            found = registration.registration_ransac_based_on_feature_matching(
-                source.thin,
-                target.thin,
-                source.features,
-                target.features,
-                mutual_filter=True,
-                max_correspondence_distance=1.5 * VOXEL_M,
-                estimation_method=registration.TransformationEstimationPointToPoint(False),
-                ransac_n=3,
-                checkers=[
-                    registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
-                    registration.CorrespondenceCheckerBasedOnDistance(1.5 * VOXEL_M),
-                ],
-                criteria=registration.RANSACConvergenceCriteria(8_000, 0.999),
-            )
-        matrix = np.asarray(found.transformation)
-        pose = Pose(matrix[:3, :3].copy(), matrix[:3, 3].copy())
-        if found.fitness > 0 and not any(not _differs(pose, other) for other in guesses):
-            guesses.append(pose)
-    return guesses
+def judged(first: Scan, second: Scan, pose: Pose, thinned: int = 1) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return what share of each view meets the other, and what share of it the other looks through."""
+    one = _testified(first.patches.points_m[::thinned], second, pose)
+    other = _testified(second.patches.points_m[::thinned], first, pose.inverse())
+    return (one[0], other[0]), (one[1], other[1])
 
 
-def settle(source: Scan, target: Scan, start: Pose) -> Pose | None:
-    """Settle a first guess on the thinned clouds; None where too little of them meets for more to be worth it."""
-    pose = _aligned(source.thin, target.thin, start, reach_m=2.5 * VOXEL_M, scale_m=0.03)
-    return None if pose is None or _judged(source.thin, target, pose)[0] < HOPELESS else pose
+def _testified(points_m: F64, witness: Scan, pose: Pose) -> tuple[float, float]:
+    local = pose.apply(points_m)
+    v, u, inside = pixels(witness.patches.camera, local)
+    q = 1.0 / np.where(inside, local[:, 2], 1.0)
+    known = inside & witness.sure[v, u]
+    through = known & (witness.nearest[v, u] < q - SAME_READING)
+    hidden = known & (witness.farthest[v, u] > q + SAME_READING)
+    met = int((known & ~through & ~hidden).sum())
+    return met / max(len(points_m), 1), float(through.sum()) / max(met + int(through.sum()), 1)
 
 
-def refine_any(source: Scan, target: Scan, start: Pose) -> Pose | None:
-    """Refine a pose by point-to-plane ICP with a robust kernel, noise growing with z² weighed in by the kernel."""
-    near = _aligned(source.fine, target.fine, start, reach_m=0.06, scale_m=0.015)
-    return None if near is None else _aligned(source.fine, target.fine, near, reach_m=0.03, scale_m=0.008)
-
-
-def _aligned(
-    source: o3d.geometry.PointCloud, target: o3d.geometry.PointCloud, start: Pose, *, reach_m: float, scale_m: float
-) -> Pose | None:
-    """Return where robust point-to-plane ICP (Tukey, cut at three times the scale) comes to rest; None if lost."""
-    import open3d as o3d
-
-    registration = o3d.pipelines.registration
-    found = registration.registration_icp(
-        source,
-        target,
-        reach_m,
-        start.matrix,
-        registration.TransformationEstimationPointToPlane(registration.TukeyLoss(3 * scale_m)),
-        registration.ICPConvergenceCriteria(max_iteration=30),
-    )
-    if found.fitness < 0.05:
-        return None
-    matrix = np.asarray(found.transformation)
-    return Pose(matrix[:3, :3].copy(), matrix[:3, 3].copy())
-
-
-def _judged(source: o3d.geometry.PointCloud, target: Scan, pose: Pose) -> tuple[float, float, float]:
-    """Return the share of the source that meets the target, the share that it looks through, and the least of the
-    normals' spread (how well the weakest direction is held)."""
-    local = pose.apply(np.asarray(source.points))
-    camera = target.still.intrinsics
-    ahead = local[:, 2] > 0.3
-    u, v = np.round(np.clip(camera.project(np.where(ahead[:, None], local, 1.0)), -1, 1e5)).astype(int).T
-    inside = ahead & (u >= 0) & (v >= 0) & (u < camera.width) & (v < camera.height)
-    q = np.where(inside, target.still.inverse_depth[np.where(inside, v, 0), np.where(inside, u, 0)], 0.0)
-    known = q > 0
-    gap = q - 1.0 / np.where(ahead, local[:, 2], 1.0)
-    bound = 4 * (INVERSE_STEP + INVERSE_NOISE)
-    met = known & (np.abs(gap) < bound)
-    through = known & (gap < -3 * bound)
-    normals = pose.turn(np.asarray(source.normals))[met]
-    information = float(np.linalg.eigvalsh(normals.T @ normals / max(len(normals), 1))[0]) if met.any() else 0.0
-    return float(met.mean()), float(through.sum() / max(known.sum(), 1)), information
+def both_ways(first: Scan, second: Scan, link: Link) -> tuple[Match, Match]:
+    """Return a link as its two directions, with the source's own method beside it where it is trusted."""
+    if link.doubt or link.pose is None or link.start is None:
+        return tuple(Match(None, None, link.doubt, overlap) for overlap in link.overlap)  # type: ignore[return-value]
+    a, b = first.patches.points_m, second.patches.points_m
+    there = point_to_point(a, b, link.start, PAPER_REACH_M)
+    back = point_to_point(b, a, link.start.inverse(), PAPER_REACH_M)
+    return Match(link.pose, there, "", link.overlap[0]), Match(link.pose.inverse(), back, "", link.overlap[1])

@@ -108,7 +108,7 @@ def relief(still: Still, belt: Belt) -> Relief:
     frame = belt.plane.frame()
     flat = frame.apply(still.points())
     height_m = flat[..., 2]
-    sound = still.seen & (_from_edges(still) >= edge_px(still))
+    sound = still.seen & (far_from_edges(still) >= edge_px(still))
     z = np.divide(1.0, still.inverse_depth, out=np.zeros_like(still.inverse_depth), where=still.seen)
     noise_m = (0.5 * INVERSE_STEP + 3.0 * INVERSE_NOISE / np.sqrt(min(still.captures, 8))) * z**2
     risen = still.seen & (height_m > LOWEST_M + noise_m) & (height_m < HIGHEST_M)
@@ -134,7 +134,7 @@ def relief(still: Still, belt: Belt) -> Relief:
     )
 
 
-def _from_edges(still: Still) -> F64:
+def far_from_edges(still: Still) -> F64:
     """Return each pixel's distance, in pixels, from the nearest jump of depth or missing reading."""
     inverse = still.inverse_depth
     jump = 3.2 * INVERSE_STEP

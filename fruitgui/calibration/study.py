@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations, permutations
+from itertools import combinations
 
 import numpy as np
 
-from fruitgui.calibration.arbitrary import Match, Scan, register_any, scan
-from fruitgui.calibration.still import average
+from fruitgui.calibration.arbitrary import Link, Match, Scan, both_ways, grain_m, scan
+from fruitgui.calibration.network import Hands, OneHand, register_all
+from fruitgui.calibration.still import Still, average
 from fruitgui.frame import F64, Frame
 from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rotation import vector_from_rotation
@@ -96,28 +97,49 @@ def study(
     views: Sequence[tuple[Frame, Pose]],
     progress: Progress = no_progress,
     cancelled: Cancelled = never_cancelled,
+    hands: Hands | None = None,
 ) -> Study:
     """Register all ordered pairs of views and compare with their known poses (sensor → fixed frame).
 
-    The reverse of a pair starts from the same first guess turned round: both are registered, one search serves both.
+    The known poses take no part in registering. What is the same in both directions of a pair is done once.
 
     Raises:
         CancelledByUserError: `cancelled` said so.
     """
-    scans: list[Scan] = []
-    for k, (frame, _) in enumerate(views):
-        stop_if(cancelled)
-        progress(0.1 * k / len(views), f"Preparing view {k + 1} of {len(views)}")
-        scans.append(scan(average([frame])))
+    hands = hands or OneHand()
+    scans = _scans([frame for frame, _ in views], hands, _part(progress, 0.0, 0.05), cancelled)
+    links = register_all(scans, hands, _part(progress, 0.05, 0.9), cancelled)
     matches: dict[tuple[int, int], Match] = {}
-    pairs = list(permutations(range(len(views)), 2))
-    for done, (source, target) in enumerate(pairs):
+    tasks = [(scans[a], scans[b], link) for (a, b), link in links.items()]
+    for number, (there, back) in hands.each(_both_ways, tasks):
+        a, b = list(links)[number]
+        matches[a, b], matches[b, a] = there, back
         stop_if(cancelled)
-        progress(0.1 + 0.9 * done / len(pairs), f"Registering view {source + 1} to view {target + 1}")
-        known = matches.get((target, source))
-        matches[source, target] = register_any(scans[source], scans[target], seed=done, known=known)
-    poses = [pose for _, pose in views]
-    return summed_up(poses, matches)
+        progress(0.9 + 0.1 * len(matches) / (2 * len(links)), "Registering the source's way")
+    return summed_up([pose for _, pose in views], dict(sorted(matches.items())))
+
+
+def _part(progress: Progress, start: float, end: float) -> Progress:
+    return lambda done, doing: progress(start + (end - start) * done, doing)
+
+
+def _scans(frames: Sequence[Frame], hands: Hands, progress: Progress, cancelled: Cancelled) -> list[Scan]:
+    stills = [average([frame]) for frame in frames]
+    grain = grain_m(stills)
+    scans: dict[int, Scan] = {}
+    for number, made in hands.each(_scan, [(still, grain) for still in stills]):
+        scans[number] = made
+        stop_if(cancelled)
+        progress(len(scans) / len(stills), f"Preparing views: {len(scans)} of {len(stills)}")
+    return [scans[number] for number in range(len(stills))]
+
+
+def _scan(task: tuple[Still, float]) -> Scan:
+    return scan(*task)
+
+
+def _both_ways(task: tuple[Scan, Scan, Link]) -> tuple[Match, Match]:
+    return both_ways(*task)
 
 
 def summed_up(poses: Sequence[Pose], matches: Mapping[tuple[int, int], Match]) -> Study:

@@ -15,6 +15,7 @@ from fruitgui.frame import Frame
 from fruitgui.geometry.pose import Pose
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 from fruitgui.sensors.recordings import Recording
+from fruitgui.station.hands import Hands
 from fruitgui.station.poses import KnownPose, read_poses
 from fruitgui.station.source import RecordingSource
 
@@ -47,7 +48,8 @@ def study_recording(
     if len(views) > MOST_VIEWS:
         warnings.append(f"Only {MOST_VIEWS} of {len(views)} views are used, evenly spread.")
         views = [views[at] for at in np.linspace(0, len(views) - 1, MOST_VIEWS).astype(int)]
-    result = study(views, progress, cancelled)
+    with Hands() as hands:
+        result = study(views, progress, cancelled, hands)
     return {
         "schema": SCHEMA,
         "views": result.views,
@@ -106,7 +108,7 @@ def _closure_value(closure: Closure | None) -> dict[str, Any] | None:
 
 
 def _quantiles(values: np.ndarray[Any, np.dtype[np.float64]]) -> dict[str, float]:
-    return {"median": float(np.median(values)), "p90": float(np.quantile(values, 0.9))}
+    return {"median": float(np.median(values)), "p90": float(np.quantile(values, 0.9)), "worst": float(values.max())}
 
 
 def _component(component: Component) -> dict[str, float]:

@@ -11,6 +11,7 @@ import pytest
 
 from fruitgui.cli import main
 from tests.real_data import real_data
+from tests.second_rig.arm import ArmPlan, record_arm
 
 KITCHEN_VIEWS = 4
 
@@ -73,3 +74,23 @@ def test_study_of_a_real_kinect_says_what_is_registrations_and_what_is_not(tmp_p
     assert math.isfinite(product["rotation_deg"]["median"])
     assert product["rotation_deg"]["median"] < 3.0
     assert product["translation_mm"]["median"] < 80
+
+
+@pytest.mark.accuracy
+def test_views_from_an_arm_all_round_a_table_register_far_better_than_the_sources_way(tmp_path: Path) -> None:
+    recording, poses = record_arm(31, ArmPlan(), tmp_path)
+    report = tmp_path / "study.json"
+    assert main(["study", str(recording), "--poses", str(poses), "--report", str(report)]) == 0
+    value = json.loads(report.read_text(encoding="utf-8"))
+    assert (value["views"], value["pairs"]) == (10, 90)
+    assert value["registered"] + len(value["left_out"]) == 90
+    assert value["registered"] >= 60
+    product, paper = value["product"], value["paper"]
+    # One capture of a Kinect holds a table with fruit and boxes to about a millimetre.
+    assert product["rotation_deg"]["median"] < 0.12
+    assert product["translation_mm"]["median"] < 2.0
+    # A wrong hypothesis would be off by many centimetres and degrees; none may be accepted.
+    assert product["rotation_deg"]["worst"] < 1.5
+    assert product["translation_mm"]["worst"] < 25
+    for figure in ("rotation_deg", "translation_mm"):
+        assert product[figure]["median"] < 0.5 * paper[figure]["median"]

@@ -102,7 +102,7 @@ def messages(scene: Scene, style: Style = PLAIN) -> Iterator[Message]:
     for time, sequence, eye in scene.captures():
         shot = renderer.shoot(eye, time, sequence)
         waiting.append(
-            (time + float(rng.uniform(0.0, style.disorder_s)), list(_of_shot(scene, eye, time, shot, style)))
+            (time + float(rng.uniform(0.0, style.disorder_s)), list(shot_messages(scene, eye, time, shot, style)))
         )
         waiting.sort(key=lambda item: item[0])
         while waiting and waiting[0][0] <= time:
@@ -111,7 +111,8 @@ def messages(scene: Scene, style: Style = PLAIN) -> Iterator[Message]:
         yield from late
 
 
-def _of_shot(scene: Scene, eye: Eye, time_s: float, shot: Shot, style: Style) -> Iterator[Message]:
+def shot_messages(scene: Scene, eye: Eye, time_s: float, shot: Shot, style: Style) -> Iterator[Message]:
+    """Yield what one shot becomes in a recording."""
     stamp, name = scene.stamp_s(eye, time_s), eye.name
     frame = f"{name}_rgb_optical_frame"
     yield Message(f"/{name}/rgb/camera_info", "sensor_msgs/msg/CameraInfo", stamp, camera_info(stamp, frame, eye.lens))

@@ -43,7 +43,7 @@ def test_pairs_left_out_are_named_with_the_reason() -> None:
     rng = np.random.default_rng(4)
     poses = [random_pose(rng) for _ in range(2)]
     right = real_pose(poses[1], poses[0])
-    matches = {(1, 0): Match(right, right, "", 0.9, ()), (0, 1): Match(None, None, "too little overlap", 0.1, ())}
+    matches = {(1, 0): Match(right, right, "", 0.9), (0, 1): Match(None, None, "too little overlap", 0.1)}
     result = summed_up(poses, matches)
     assert (result.views, result.pairs, result.registered) == (2, 2, 1)
     assert result.left_out[0].reason == "too little overlap"
@@ -55,7 +55,7 @@ def test_wrong_known_poses_do_not_spoil_how_loops_close() -> None:
     rng = np.random.default_rng(5)
     poses = [random_pose(rng) for _ in range(4)]
     pairs = [(a, b) for a in range(4) for b in range(4) if a != b]
-    matches = {(a, b): Match(real_pose(poses[a], poses[b]), None, "", 0.9, ()) for a, b in pairs}
+    matches = {(a, b): Match(real_pose(poses[a], poses[b]), None, "", 0.9) for a, b in pairs}
     result = summed_up([random_pose(rng) for _ in poses], matches)
     assert result.product is not None
     assert result.closure is not None
