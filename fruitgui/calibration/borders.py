@@ -41,11 +41,13 @@ class Border:
         centre_m: (2,) its middle.
         direction: (2,) unit vector along it, of either sign.
         std_rad: of its direction.
+        half_m: half its length.
     """
 
     centre_m: F64
     direction: F64
     std_rad: float
+    half_m: float
 
 
 def borders(relief: Relief) -> list[Border]:
@@ -138,8 +140,9 @@ def _fitted(place: F64, middle: F64, centre: F64, axes: F64) -> Border | None:
     # Neighbouring bins share what bends them: three in a row count as one.
     std = float(np.sqrt(3.0) * max(residual.std(), 5e-5) / np.linalg.norm(arm))
     direction = axes[0] + slope * axes[1]
-    on = centre + place[kept].mean() * axes[0] + (slope * place[kept].mean() + start) * axes[1]
-    return Border(on, direction / np.linalg.norm(direction), std)
+    middle_m = float(place[kept].max() + place[kept].min()) / 2
+    on = centre + middle_m * axes[0] + (slope * middle_m + start) * axes[1]
+    return Border(on, direction / np.linalg.norm(direction), std, float(np.ptp(place[kept])) / 2)
 
 
 def _edge_points(grey: F32, segment: F64, step_px: float = 1.5) -> F64:

@@ -14,13 +14,20 @@ import numpy as np
 
 from fruitgui.calibration.flat import Shift
 from fruitgui.calibration.relief import Relief
+from fruitgui.calibration.still import INVERSE_NOISE
 from fruitgui.frame import F64, Bools, Ints
 
 SCHEDULE_M = (0.03, 0.03, 0.02, 0.02, 0.015, 0.012, 0.01, 0.008, 0.008, 0.008, 0.008, 0.008)
 SAME_NORMAL = float(np.cos(np.radians(30.0)))
 ROBUST_M = 0.0015
-THING_STD_PER_M = 6e-4
-"""How far one thing's place errs across the belt, for each square metre of distance (product of both sensors')."""
+SHARED_PX = 10.0
+"""Pixels of a fruit that share their errors, once what leans is taken into account."""
+
+KNOWN_AS = 6
+"""What is known of the noise counts as much as so many things seen."""
+
+REGISTERED_PX = 0.1
+"""How far a driver lays depth beside colour: it rounds to whole pixels and keeps one of those that meet in one."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,6 +38,7 @@ class Matched:
         source, target: (M,) indices into the reliefs' points.
         residual_m: (M,) distance along the mean normal.
         jacobian: (M, 3) of the residual by (dx, dy, dθ about `centre_m`).
+        rise: (M,) of the residual by a common error of height.
         weight: (M,) robust weights.
         centre_m: (2,) where the turn is taken about, target's frame.
     """
@@ -39,6 +47,7 @@ class Matched:
     target: Ints
     residual_m: F64
     jacobian: F64
+    rise: F64
     weight: F64
     centre_m: F64
 
@@ -137,7 +146,7 @@ def match(source: Relief, target: Target, shift: Shift, reach_m: float) -> Match
     jacobian = np.stack([both[:, 0], both[:, 1], lever], axis=1)
     scale = max(ROBUST_M, 1.4826 * float(np.median(np.abs(residual)))) if len(residual) else ROBUST_M
     weight = 1.0 / (1.0 + (residual / (2.0 * scale)) ** 2) ** 2
-    return Matched(found, near, residual, jacobian, weight, centre)
+    return Matched(found, near, residual, jacobian, both[:, 2], weight, centre)
 
 
 def _step(matched: Matched, free: int = 3) -> F64:
@@ -160,10 +169,13 @@ def covariance(source: Relief, target: Relief, fit: Fit, *, turning: bool = True
 
     Of x and y alone, (2, 2), where the heading is known and not `turning`.
 
-    Errors of neighbouring pixels are correlated (matching window, steps, the shape of the normals'
-    window), so points of one thing count as one witness: H⁻¹ (Σ g gᵀ) H⁻¹ over things, with g the pull
-    of a thing, enlarged for few things, and never less than what 1 mm of common error per thing gives. What stands
-    still in a sensor's noise moves a thing as a whole, farther with distance squared: that comes on top.
+    Three things err independently of each other:
+
+    - Noise. Neighbours share it (matching window, steps), and much of it stands still, so points of one thing count
+      as one witness: H⁻¹ (Σ g gᵀ) H⁻¹ over things, with g the pull of a thing. A few things do not show how far they
+      scatter, so what is seen is blended with what the device's noise is known to do.
+    - The heights of both belts' planes: where most of what both see leans one way, they pass for a shift.
+    - Depth laid on colour: the same for all things of one sensor, so that no residual shows it.
     """
     matched = fit.matched
     free = 3 if turning else 2
@@ -172,22 +184,32 @@ def covariance(source: Relief, target: Relief, fit: Fit, *, turning: bool = True
     _, thing = np.unique(source.thing[matched.source], return_inverse=True)
     count = int(thing.max()) + 1
     pulls = np.stack([np.bincount(thing, w * r * J[:, k], count) for k in range(free)], axis=1)
-    shapes = np.einsum("ni,nj,n->nij", J, J, w)
-    expected = np.zeros((free, free))
-    for k in range(count):
-        mine = thing == k
-        lean = (J[mine] * w[mine, None]).sum(axis=0)
-        expected += np.outer(lean, lean) + shapes[mine].sum(axis=0) * w[mine].sum() * 0.1
-    H_inverse = np.linalg.pinv(H)
     seen = pulls.T @ pulls * count / max(count - free, 1)
-    prior = expected * 0.0005**2
-    blend = (count * seen + 6 * prior) / (count + 6)
+    known = (J * w[:, None] ** 2).T @ J * (_noise_m2(source) + _noise_m2(target))
+    lifted = (J * w[:, None]).T @ matched.rise
+    height = _height_m2(source, fit.shift.inverse().apply(matched.centre_m)) + _height_m2(target, matched.centre_m)
+    H_inverse = np.linalg.pinv(H)
+    blend = (count * seen + KNOWN_AS * known) / (count + KNOWN_AS) + np.outer(lifted, lifted) * height
     spread = np.asarray(H_inverse @ blend @ H_inverse)
-    place = (THING_STD_PER_M * source.distance_m * target.distance_m) ** 2 / count
-    spread[:2, :2] += np.eye(2) * place
-    if turning:
-        spread[2, 2] += place / float(source.points_m[matched.source, :2].var(axis=0).sum())
+    spread[:2, :2] += np.eye(2) * (_misplaced_m2(source) + _misplaced_m2(target))
     return spread
+
+
+def _noise_m2(relief: Relief) -> float:
+    """Return the variance of a point's distance as large as if neighbours did not share their errors."""
+    standing = 0.5 + 0.5 / relief.still.captures
+    return SHARED_PX * standing * (INVERSE_NOISE * relief.distance_m**2) ** 2
+
+
+def _height_m2(relief: Relief, at_m: F64) -> float:
+    """Return the variance of the belt's height at a place (2,) of its plane."""
+    spread, out = relief.belt.covariance, at_m - relief.frame.translation_m[:2]
+    return float(spread[2, 2] + (spread[0, 0] + spread[1, 1]) * (out @ out) / 2)
+
+
+def _misplaced_m2(relief: Relief) -> float:
+    """Return the variance (one axis) of where depth lies on the colour picture, at the things' distance."""
+    return float((REGISTERED_PX * relief.distance_m / relief.still.intrinsics.fx) ** 2)
 
 
 def held_out_m(source: Relief, fit: Fit) -> float:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from fruitgui.calibration import borders, fine, texture
+from fruitgui.calibration import across, borders, fine, texture
 from fruitgui.calibration import lines as rails
 from fruitgui.calibration.fine import Fit
 from fruitgui.calibration.flat import Shift
@@ -61,8 +61,8 @@ def carried(covariance: F64, centre_m: F64, to_m: F64) -> F64:
 
 
 def held(source: Ready, target: Ready, fit: Fit) -> Held:
-    """Return a fit, its heading settled by lines and all of it bettered by the belt's texture, where these speak."""
-    return _by_texture(source, target, _by_lines(source, target, fit))
+    """Return a fit, its heading settled by lines, and bettered by edges and the belt's texture, where these speak."""
+    return _by_texture(source, target, _by_edges(source, target, _by_lines(source, target, fit)))
 
 
 def _by_lines(source: Ready, target: Ready, fit: Fit) -> Held:
@@ -92,6 +92,23 @@ def _turn(source: Ready, target: Ready, shift: Shift) -> Turn | None:
     """Return what straight things say of a heading: borders in the colour pictures, else rails in the depth."""
     seen = borders.turn_between(source.borders, target.borders, shift)
     return rails.turn_between(source.lines, target.lines, shift) if seen is None else seen
+
+
+def _by_edges(source: Ready, target: Ready, so_far: Held) -> Held:
+    """Return the mean, by covariance, of a shift and where edges that both see say it lies across them."""
+    said = across.across(
+        (source.relief, source.brinks), (target.relief, target.brinks), so_far.shift, so_far.position_std_m
+    )
+    if said is None:
+        return so_far
+    arm = said.at_m - so_far.centre_m
+    row = np.array([*said.normal, said.normal @ np.array([-arm[1], arm[0]])])
+    spread = so_far.covariance @ row
+    variance = float(row @ spread) + said.std_m**2
+    if said.gap_m**2 > CONTRADICTION * variance:
+        return so_far
+    shift = so_far.shift.about(so_far.centre_m, spread * said.gap_m / variance)
+    return replace(so_far, shift=shift, covariance=so_far.covariance - np.outer(spread, spread) / variance)
 
 
 def _by_texture(source: Ready, target: Ready, so_far: Held) -> Held:

@@ -26,9 +26,10 @@ FLOOR_RAD = float(np.radians(0.025))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Line:
-    """The middle of the top of one long straight thing: places_m (N, 2) along it, in the belt's frame."""
+    """The middle of the top of one long straight thing, in the belt's frame: places (N, 2) along it, and its height."""
 
     places_m: F64
+    height_m: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +70,8 @@ def _line(points: F64) -> Line | None:
     if len(points) < 200:
         return None
     top = float(np.percentile(points[:, 2], 85))
+    for _ in range(3):
+        top = float(np.median(points[np.abs(points[:, 2] - top) < 0.007, 2]))
     points = points[np.abs(points[:, 2] - top) < 0.007]
     centre = points[:, :2].mean(axis=0)
     _, _, axes = np.linalg.svd((points[:, :2] - centre)[:: max(1, len(points) // 2000)], full_matrices=False)
@@ -83,7 +86,7 @@ def _line(points: F64) -> Line | None:
     if kept is None:
         return None
     places = np.stack([place[good][kept], middle[good][kept]], axis=1)
-    return Line(places @ axes + centre)
+    return Line(places @ axes + centre, top)
 
 
 def _straight(place: F64, middle: F64) -> Bools | None:

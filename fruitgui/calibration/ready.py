@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from fruitgui.calibration import borders
 from fruitgui.calibration import lines as rails
+from fruitgui.calibration.across import brinks
 from fruitgui.calibration.evidence import Sight
 from fruitgui.calibration.fine import Target
 from fruitgui.calibration.relief import Relief
@@ -22,6 +23,7 @@ class Ready:
         self.thin = _thinned(relief, 6)
         self.lines = rails.lines(relief)
         self.borders = borders.borders(relief)
+        self.brinks = brinks(relief, self.borders, self.lines)
         self.skin = Skin(relief)
 
 

@@ -23,6 +23,7 @@ class Conditions:
 
     Attributes:
         lux: light on the belt; None draws 100–1000.
+        wear: how strongly the belt's texture shows, a share; None draws 0.02–0.10, 0 is a plain belt.
         depth_model: what all sensors share.
         fattening_px: of edges; None draws 0.3–1.6 px per sensor.
         noise_factor: of the disparity's random error; None draws 0.9–1.3 per sensor.
@@ -35,6 +36,7 @@ class Conditions:
     """
 
     lux: float | None = None
+    wear: float | None = None
     depth_model: DepthModel = DepthModel()  # noqa: RUF009 - frozen
     fattening_px: float | None = None
     noise_factor: float | None = None
@@ -69,16 +71,16 @@ def make_setting(
     """Return the rig and place that a rig seed stands for; see `layouts.placements` for layout and sensors."""
     rng = np.random.default_rng([rig_seed, 10])
     poses = placements(layout, sensors, rng, height_m)
-    surroundings = make_surroundings(rng, with_rails)
+    surroundings = make_surroundings(rng, with_rails, conditions.wear)
     return Setting(make_devices(poses, conditions, rng), surroundings)
 
 
-def make_surroundings(rng: Generator, with_rails: bool) -> Surroundings:
+def make_surroundings(rng: Generator, with_rails: bool, wear: float | None = None) -> Surroundings:
     """Return a belt of random width and look, with or without rails, over a grey floor."""
     width_m = float(rng.uniform(0.50, 0.62))
     grey = float(rng.uniform(0.25, 0.6))
     beside = rails(width_m, rng) if with_rails else ()
-    return Surroundings(make_belt(rng, width_m), beside, float(rng.uniform(0.5, 0.9)), (grey, grey, grey))
+    return Surroundings(make_belt(rng, width_m, wear=wear), beside, float(rng.uniform(0.5, 0.9)), (grey, grey, grey))
 
 
 def make_devices(poses: Sequence[Pose], conditions: Conditions, rng: Generator) -> tuple[Device, ...]:

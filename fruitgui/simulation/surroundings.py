@@ -190,17 +190,20 @@ BELT_COLOURS = (
 """PVC and rubber belts as sold: green, blue, black, grey, white, brown, petrol (sRGB)."""
 
 
-def make_belt(rng: Generator, width_m: float, ends_m: tuple[float, float] = (-np.inf, np.inf)) -> Belt:
-    """Return a belt of random colour and wear."""
+def make_belt(
+    rng: Generator, width_m: float, ends_m: tuple[float, float] = (-np.inf, np.inf), wear: float | None = None
+) -> Belt:
+    """Return a belt of random colour; `wear` is how strongly its texture shows: drawn where None, 0 for not at all."""
     base = np.array(BELT_COLOURS[rng.integers(len(BELT_COLOURS))]) * rng.uniform(0.85, 1.15)
     red, green, blue = (float(value) for value in np.clip(base, 0.05, 0.95))
-    return Belt(width_m, ends_m, (red, green, blue), float(rng.uniform(0.3, 0.6)), _wear(rng))
+    return Belt(width_m, ends_m, (red, green, blue), float(rng.uniform(0.3, 0.6)), _wear(rng, wear))
 
 
-def _wear(rng: Generator, rows: int = 320, columns: int = 1024) -> F32:
+def _wear(rng: Generator, strength: float | None, rows: int = 320, columns: int = 1024) -> F32:
     """Return a tiled texture: weave, stains, and streaks along the travel; mean 1, never below 0.4."""
     total = np.ones((rows, columns), dtype=np.float32)
-    contrast = rng.uniform(0.02, 0.10)
+    drawn = rng.uniform(0.02, 0.10)
+    contrast = drawn if strength is None else strength
     for along, across, share in ((1, 1, 0.5), (8, 8, 0.6), (128, 2, 0.7), (64, 32, 0.6)):
         total += np.float32(contrast * share) * _cloud(rng, rows, columns, along, across)
     return np.clip(total, 0.4, 1.8)

@@ -47,17 +47,17 @@ def test_borders_of_a_belt_tell_the_heading_to_a_few_hundredths_of_a_degree() ->
 
 def test_borders_far_apart_or_not_parallel_say_nothing() -> None:
     along = np.array([1.0, 0.0])
-    one = Border(np.zeros(2), along, 1e-4)
+    one = Border(np.zeros(2), along, 1e-4, 0.3)
     nowhere = Shift(0.0, 0.0, 0.0)
-    assert turn_between([one], [Border(np.array([0.0, 0.2]), along, 1e-4)], nowhere) is None
+    assert turn_between([one], [Border(np.array([0.0, 0.2]), along, 1e-4, 0.3)], nowhere) is None
     leaning = np.array([np.cos(0.05), np.sin(0.05)])
-    assert turn_between([one], [Border(np.zeros(2), leaning, 1e-4)], nowhere) is None
+    assert turn_between([one], [Border(np.zeros(2), leaning, 1e-4, 0.3)], nowhere) is None
     assert turn_between([], [one], nowhere) is None
 
 
 def test_a_border_has_no_sense_of_direction() -> None:
-    one = Border(np.zeros(2), np.array([1.0, 0.0]), 1e-4)
-    other = Border(np.zeros(2), np.array([-np.cos(1e-3), -np.sin(1e-3)]), 1e-4)
+    one = Border(np.zeros(2), np.array([1.0, 0.0]), 1e-4, 0.3)
+    other = Border(np.zeros(2), np.array([-np.cos(1e-3), -np.sin(1e-3)]), 1e-4, 0.3)
     turn = turn_between([one], [other], Shift(0.0, 0.0, 0.0))
     assert turn is not None
     assert turn.turn_rad == pytest.approx(1e-3, abs=1e-6)
