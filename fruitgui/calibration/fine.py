@@ -21,7 +21,8 @@ SCHEDULE_M = (0.03, 0.03, 0.02, 0.02, 0.015, 0.012, 0.01, 0.008, 0.008, 0.008, 0
 SAME_NORMAL = float(np.cos(np.radians(30.0)))
 ROBUST_M = 0.0015
 SHARED_PX = 10.0
-"""Pixels of a fruit that share their errors, once what leans is taken into account."""
+"""Points of a fruit that share their errors, at 640 pixels across; in smaller pictures of such a device fewer do, of
+larger ones no more points than these are taken."""
 
 KNOWN_AS = 6
 """What is known of the noise counts as much as so many things seen."""
@@ -198,7 +199,8 @@ def covariance(source: Relief, target: Relief, fit: Fit, *, turning: bool = True
 def _noise_m2(relief: Relief) -> float:
     """Return the variance of a point's distance as large as if neighbours did not share their errors."""
     standing = 0.5 + 0.5 / relief.still.captures
-    return SHARED_PX * standing * (INVERSE_NOISE * relief.distance_m**2) ** 2
+    shared = SHARED_PX * min(relief.still.intrinsics.width / 640, 1.0) ** 2
+    return shared * standing * (INVERSE_NOISE * relief.distance_m**2) ** 2
 
 
 def _height_m2(relief: Relief, at_m: F64) -> float:
