@@ -164,10 +164,13 @@ def open_recording(
     container = open_container(path)
     seen = survey(container, named, sensors)
     known = find_sensors(seen.types, named)
-    found = _wanted_sensors(path, known, sensors)
-    decoders, faults = _decoders(found, seen)
-    if not decoders:
-        raise _nothing_usable(path, faults[0], container)
+    try:
+        found = _wanted_sensors(path, known, sensors)
+        decoders, faults = _decoders(found, seen)
+        if not decoders:
+            raise faults[0].as_input_error(str(path))
+    except InputError as error:
+        raise _or_damage(error, path, container) from error
     if len(decoders) > MAX_SENSORS:
         raise InputError(
             "too_many_sensors",
@@ -181,10 +184,9 @@ def open_recording(
     return Recording(path, container, decoders, found, infos, clock_offsets or {}, warnings, unstamped, known)
 
 
-def _nothing_usable(path: Path, fault: UnusableSensorError, container: Container) -> InputError:
+def _or_damage(error: InputError, path: Path, container: Container) -> InputError:
     """Return why no sensor can be read; damage of the file is the likelier cause where there is some."""
     damage = Tally(soundness=container.soundness).warnings(path)
-    error = fault.as_input_error(str(path))
     if not damage:
         return error
     what = f"{error.what} {' '.join(damage)}"

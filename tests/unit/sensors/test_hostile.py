@@ -170,9 +170,13 @@ def test_a_damaged_chunk_is_left_out_and_the_rest_used(tmp_path: Path) -> None:
     assert any("checksum" in warning for warning in recording.warnings)
 
 
-def test_where_all_is_damaged_the_damage_is_the_reason_given(tmp_path: Path) -> None:
-    data = bytearray(ros.write_mcap(tmp_path / "r.mcap", story(3), compression=CompressionType.NONE).read_bytes())
-    data[data.index(b"rgb8") + 20] ^= 0xFF
+@pytest.mark.parametrize(("at", "options"), [(b"rgb8", {}), (b"rgb8", {"repeat_channels": False})])
+def test_where_all_is_damaged_the_damage_is_the_reason_given(
+    tmp_path: Path, at: bytes, options: dict[str, bool]
+) -> None:
+    path = ros.write_mcap(tmp_path / "r.mcap", story(3), compression=CompressionType.NONE, **options)
+    data = bytearray(path.read_bytes())
+    data[data.index(at) + 20] ^= 0xFF
     (tmp_path / "r.mcap").write_bytes(data)
     with pytest.raises(InputError) as caught:
         open_recording(tmp_path / "r.mcap")
