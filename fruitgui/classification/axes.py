@@ -39,6 +39,8 @@ _SIZE = "size_root_area"
 _VOLUME = "volume_m3"
 _COLOURS = ("chroma_", "light_", "texture_", "colour_")
 _BLENDS = ("chroma_red_std", "chroma_green_std", "chroma_saturation_std")
+_OUTLINE = frozenset({"shape_fill", "shape_solidity", "shape_ellipse_error", "shape_lopsidedness", *_BLENDS})
+"""What a straight cut through an outline changes by more than fruit of a kind differ."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,8 +65,13 @@ class Axes:
         return (*self.view, *self.fruit)
 
     @property
+    def outline(self) -> Ints:
+        """Which axes say something only of an outline that no neighbour cuts, or whose edges blend with none."""
+        return np.array([at for at, name in enumerate(self.every) if name in _OUTLINE], dtype=np.intp)
+
+    @property
     def lone(self) -> Ints:
-        """Which axes say something only of a fruit that stands alone: a neighbour cuts shapes and blends colours."""
+        """Which axes say something only of what is seen whole: shapes, sizes, and colours that blend."""
         every = enumerate(self.every)
         return np.array(
             [at for at, name in every if not name.startswith(_COLOURS) or name in _BLENDS], dtype=np.intp

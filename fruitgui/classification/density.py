@@ -18,6 +18,7 @@ import numpy as np
 
 from fruitgui.classification.axes import axes_of, fruit_axes, view_axes
 from fruitgui.classification.evidence import Evidence, FeatureNames
+from fruitgui.classification.nature import borne_beside
 from fruitgui.frame import F64, Ints
 
 _STRENGTH = 3.0
@@ -39,6 +40,10 @@ _FACES = 0.5
 """Variance of a fruit by the faces that it happens to show, as a share of that between its views: opposed sensors see
 two."""
 
+_DISAGREE = 1.5
+"""By how many standard deviations of its views their mean is wrong of a fruit that others touch: frames part it now
+here, now there, and one way of parting stays for a while."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FruitVectors:
@@ -48,15 +53,17 @@ class FruitVectors:
         points: (N, D); NaN where not measured.
         spreads: (N, D, D) covariance of one view about its fruit, zero for axes of the whole fruit.
         views: (N,) number of views.
+        borne: (N, D) by how much each may differ besides, as others touch it: standard deviations.
     """
 
     points: F64
     spreads: F64
     views: F64
+    borne: F64
 
     def take(self, rows: Ints) -> FruitVectors:
         """Return the chosen fruit."""
-        return FruitVectors(self.points[rows], self.spreads[rows], self.views[rows])
+        return FruitVectors(self.points[rows], self.spreads[rows], self.views[rows], self.borne[rows])
 
 
 def fruit_vectors(evidence: list[Evidence], names: FeatureNames) -> FruitVectors:
@@ -72,11 +79,22 @@ def fruit_vectors(evidence: list[Evidence], names: FeatureNames) -> FruitVectors
         views = view_axes(one.view_features, names)
         points[row, :width] = _trimmed_mean(views)
         points[row, width:] = fruit_axes(one.fruit_features, points[row, :width], names)
-        if not one.alone:
-            points[row, axes.lone] = np.nan
+        points[row, unheard(one, names)] = np.nan
         if len(views) > 1:
             spreads[row, :width, :width] = np.cov(views, rowvar=False).reshape(width, width)
-    return FruitVectors(points, spreads, np.array([one.views for one in evidence], dtype=float))
+    borne = np.array([borne_beside(one, axes) for one in evidence]).reshape(-1, depth)
+    for row, one in enumerate(evidence):
+        if not one.alone:
+            borne[row] = np.hypot(borne[row], _DISAGREE * np.sqrt(np.diag(spreads[row])))
+    return FruitVectors(points, spreads, np.array([one.views for one in evidence], dtype=float), borne)
+
+
+def unheard(evidence: Evidence, names: FeatureNames) -> Ints:
+    """Return which axes of a fruit are not listened to, as its views do not show them."""
+    axes = axes_of(names)
+    if not evidence.whole:
+        return axes.lone
+    return np.zeros(0, dtype=np.intp) if evidence.alone else axes.outline
 
 
 def _trimmed_mean(views: F64) -> F64:
@@ -105,20 +123,26 @@ class Density:
     view_spread: F64
     views: float
 
-    def judge(self, point: F64, views: float) -> tuple[F64, F64]:
+    def judge(self, point: F64, views: float, borne: F64) -> tuple[F64, F64]:
         """Return squared distance per axis (K,) and log-density (K,) of one fruit, over the axes that were measured.
 
         The distance is squared Mahalanobis divided by the number of axes, about 1 for fruit of the kind. The
         log-density has the heavy tails of Student's t, as the covariance is only an estimate.
+
+        Args:
+            point: (D,); NaN where not measured.
+            views: how many there are of the fruit.
+            borne: (D,) standard deviations by which this fruit may differ besides, along each axis.
         """
         seen = np.flatnonzero(np.isfinite(point))
         if len(seen) == 0:
             return np.zeros(len(self.means)), np.zeros(len(self.means))
         square = np.ix_(seen, seen)
+        besides = np.diag((borne[seen] / self.unit[seen]) ** 2)
         fewer = max(0.0, views**-0.5 - self.views**-0.5)
         distances, densities = np.empty(len(self.means)), np.empty(len(self.means))
         for kind, (mean, covariance, count) in enumerate(zip(self.means, self.covariances, self.counts, strict=True)):
-            spread = covariance[square] * (1.0 + 1.0 / count) + fewer * self.view_spread[square]
+            spread = covariance[square] * (1.0 + 1.0 / count) + fewer * self.view_spread[square] + besides
             factor = np.linalg.cholesky(spread)
             squared = float(np.sum(np.linalg.solve(factor, point[seen] / self.unit[seen] - mean[seen]) ** 2))
             freedom = self.counts.sum() + len(seen)

@@ -37,9 +37,10 @@ class Evidence:
     Attributes:
         view_features: (n, F), one row per view, n ≥ 1, finite.
         fruit_features: (G,), of all views together (volume, length, …); NaN where it could not be measured.
-        alone: the views show it whole and apart from others. Outlines that were cut out of a group, or by the
-            picture's edge, tell nothing of the fruit's shape, and what was fitted to them little of its size: neither
-            is listened to.
+        alone: the views show it whole and apart from others. The form of an outline that was cut out of a group is
+            not listened to, and sizes less.
+        whole: nothing cuts the views but a group. Of what the picture's edge cuts, neither shape nor size is listened
+            to.
 
     Raises:
         InputError: a wrong shape, no view, or a view feature that is not finite.
@@ -48,6 +49,7 @@ class Evidence:
     view_features: F32
     fruit_features: F64
     alone: bool = True
+    whole: bool = True
 
     def __post_init__(self) -> None:
         views, fruit = self.view_features, self.fruit_features

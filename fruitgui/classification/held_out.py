@@ -76,7 +76,7 @@ def hold_out(
         if out:
             core = fit_core(fruit.take(np.flatnonzero(fold != one)), strangers, random, cancelled)
             rows += out
-            scores += [core.judge(fruit.views[row], vectors.points[row], float(vectors.views[row])) for row in out]
+            scores += [core.judge(fruit.views[row], vectors, row) for row in out]
         done((one + 1) / FOLDS)
     at = np.array(rows, dtype=np.intp)
     return HeldOut(at, tuple(scores), fruit.kinds[at], fold[at])

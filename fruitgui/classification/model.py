@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fruitgui.classification.axes import axes_of, view_axes
+from fruitgui.classification.axes import view_axes
 from fruitgui.classification.decision import Novelty, Scores, Weighing, decide
-from fruitgui.classification.density import Density, fruit_vectors
+from fruitgui.classification.density import Density, FruitVectors, fruit_vectors, unheard
 from fruitgui.classification.evidence import Evidence, FeatureNames, KindVote
 from fruitgui.classification.network import Network
 from fruitgui.errors import InputError
@@ -43,16 +43,17 @@ class Core:
         """
         check_width(evidence, self.names)
         vectors = fruit_vectors([evidence], self.names)
-        return self.judge(view_rows(evidence, self.names), vectors.points[0], float(vectors.views[0]))
+        return self.judge(view_rows(evidence, self.names), vectors, 0)
 
-    def judge(self, rows: F64, point: F64, views: float) -> Scores:
-        """Return what the parts say of views (n, A) and of the fruit as a point (D,); NaN is not known."""
+    def judge(self, rows: F64, vectors: FruitVectors, at: int) -> Scores:
+        """Return what the parts say of one of several fruit, of which `rows` (n, A) are the views; NaN is not known."""
+        point, views, borne = vectors.points[at], float(vectors.views[at]), vectors.borne[at]
         # A value beyond ten times the spread says no more than that it is wild; the mean says nothing.
         standard = np.nan_to_num(np.clip((rows - self.centre) / self.unit, -10.0, 10.0), nan=0.0)
-        distances, densities = self.density.judge(point, views)
+        distances, densities = self.density.judge(point, views, borne)
         stranger = -np.inf
         if self.strangers is not None:
-            stranger = float(np.logaddexp.reduce(self.strangers.judge(point, views)[1]))
+            stranger = float(np.logaddexp.reduce(self.strangers.judge(point, views, borne)[1]))
         logs = self.network.log_probabilities(standard).mean(axis=0)
         return Scores(logs, densities, distances, float(np.isfinite(point).mean()), stranger)
 
@@ -60,9 +61,8 @@ class Core:
 def view_rows(evidence: Evidence, names: FeatureNames) -> F64:
     """Return the views of a fruit as axes (n, A); NaN where a neighbour spoils them."""
     rows = view_axes(evidence.view_features, names)
-    if not evidence.alone:
-        lone = axes_of(names).lone
-        rows[:, lone[lone < rows.shape[1]]] = np.nan
+    silent = unheard(evidence, names)
+    rows[:, silent[silent < rows.shape[1]]] = np.nan
     return rows
 
 

@@ -122,8 +122,9 @@ def sample_of(row: SampleRow) -> Sample:
 
 def _fruit(row: TaughtRow, samples: tuple[Sample, ...]) -> TaughtFruit:
     evidence = Evidence(
-        np.asarray(unpack(row.view_features), np.float32), np.asarray(unpack(row.fruit_features), np.float64), row.alone
-    )
+        np.asarray(unpack(row.view_features), np.float32), np.asarray(unpack(row.fruit_features), np.float64),
+        row.alone, whole=row.alone,
+    )  # fmt: skip
     return TaughtFruit(
         row.source, row.source_fruit, tuple(row.sensors), evidence, _size(row), samples,
         row.kind, row.volume_ml, row.mass_g,

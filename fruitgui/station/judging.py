@@ -26,6 +26,9 @@ FEATURES = FeatureNames(FEATURE_NAMES, FRUIT_FEATURE_NAMES)
 LEAST_CLEAN_VIEWS = 3
 """With fewer whole views that stand alone, those of touching fruit speak too."""
 
+MOSTLY = 0.5
+"""Part of its whole views that must show a fruit alone if it is to count as alone."""
+
 NOBODY_SAYS = KindVote(UNKNOWN, 1.0, {}, float("inf"))
 """The vote on every fruit where there is no model."""
 
@@ -106,12 +109,16 @@ class Judge:
 
 
 def evidence(track: Track, size: Size) -> Evidence:
-    """Return what a track's kind is decided on: its clean views, or all where those are few."""
+    """Return what a track's kind is decided on: its clean views; else its whole ones, or all where those are few."""
     views = [sighting.view for sighting in track.sightings]
-    clean = [view for view in views if view.whole and not view.shared]
-    chosen = clean if len(clean) >= LEAST_CLEAN_VIEWS else views
+    whole = [view for view in views if view.whole]
+    clean = [view for view in whole if not view.shared]
+    # A few views of a fruit that touches another show both as one.
+    alone = len(clean) >= max(LEAST_CLEAN_VIEWS, MOSTLY * len(whole))
+    uncut = len(whole) >= LEAST_CLEAN_VIEWS
+    chosen = clean if alone else whole if uncut else views
     features: F32 = np.stack([view.features for view in chosen]).astype(np.float32)
-    return Evidence(features, _fruit_features(track, size), alone=len(clean) >= LEAST_CLEAN_VIEWS)
+    return Evidence(features, _fruit_features(track, size), alone, uncut)
 
 
 def _fruit_features(track: Track, size: Size) -> F64:

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from fruitgui.classification.axes import axes_of, fruit_axes, view_axes
+from fruitgui.classification.density import fruit_vectors, unheard
 from fruitgui.classification.evidence import Evidence, FeatureNames
-from fruitgui.classification.nature import FORM, LIGHT, borne_changes
+from fruitgui.classification.nature import FORM, LIGHT, NEIGHBOUR, borne_changes
 from fruitgui.errors import InputError
 from fruitgui.frame import F64
 from fruitgui.perception.colour import DARK_LEVEL
@@ -37,6 +38,7 @@ def test_every_axis_bears_a_change_and_every_change_names_an_axis() -> None:
     """A renamed feature would silently bear nothing."""
     axes = axes_of(NAMES)
     assert {*FORM, *(name for change in LIGHT for name in change)} == {*axes.every}
+    assert {*NEIGHBOUR} <= {axes.every[at] for at in axes.lone} - {axes.every[at] for at in axes.outline}
     assert borne_changes(axes).any(axis=0).all()
 
 
@@ -45,6 +47,29 @@ def test_a_neighbour_leaves_middle_colours_alone() -> None:
     left = {name for at, name in enumerate(axes.every) if at not in axes.lone}
     assert {"chroma_red_green_p50", "chroma_value_to_belt", "texture_step"} <= left
     assert not left & {"chroma_red_std", "shape_solidity", "size_length", "volume_m3"}
+
+
+def _evidence(alone: bool, whole: bool, spread: float = 0.0) -> Evidence:
+    views = np.ones((6, len(NAMES.view))) + spread * np.random.default_rng(0).standard_normal((6, len(NAMES.view)))
+    return Evidence(views.astype(np.float32), np.full(5, 0.1), alone, whole)
+
+
+def test_a_neighbour_silences_the_outlines_form_only_and_an_edge_all_shapes_and_sizes() -> None:
+    axes = axes_of(NAMES)
+    assert len(unheard(_evidence(alone=True, whole=True), NAMES)) == 0
+    touching = {axes.every[at] for at in unheard(_evidence(alone=False, whole=True), NAMES)}
+    assert {"shape_solidity", "shape_ellipse_error"} <= touching
+    assert not touching & {"size_height", "shape_width_to_length", "volume_m3"}
+    assert {*unheard(_evidence(alone=False, whole=False), NAMES)} == {*axes.lone}
+
+
+def test_sizes_of_what_others_touch_count_less_and_less_again_where_views_disagree() -> None:
+    at = axes_of(NAMES).every.index("size_length")
+    lone, touching, torn = fruit_vectors(
+        [_evidence(True, True, 0.3), _evidence(False, True), _evidence(False, True, 0.3)], NAMES
+    ).borne[:, at]
+    assert lone == 0.0
+    assert 0.0 < touching < torn
 
 
 def _seen(skin: F64, belt: F64, light: F64) -> F64:
