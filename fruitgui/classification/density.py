@@ -40,6 +40,9 @@ _FACES = 0.5
 """Variance of a fruit by the faces that it happens to show, as a share of that between its views: opposed sensors see
 two."""
 
+_USUAL = 0.5
+"""Part of the variance that a fruit is granted because others touch it which one in a group usually uses."""
+
 _DISAGREE = 1.5
 """By how many standard deviations of its views their mean is wrong of a fruit that others touch: frames part it now
 here, now there, and one way of parting stays for a while."""
@@ -126,7 +129,8 @@ class Density:
     def judge(self, point: F64, views: float, borne: F64) -> tuple[F64, F64]:
         """Return squared distance per axis (K,) and log-density (K,) of one fruit, over the axes that were measured.
 
-        The distance is squared Mahalanobis divided by the number of axes, about 1 for fruit of the kind. The
+        The distance is squared Mahalanobis divided by the number of axes, about 1 for fruit of the kind; an axis along
+        which this fruit may differ besides counts by less than one, or colours would drown in what says little. The
         log-density has the heavy tails of Student's t, as the covariance is only an estimate.
 
         Args:
@@ -138,15 +142,18 @@ class Density:
         if len(seen) == 0:
             return np.zeros(len(self.means)), np.zeros(len(self.means))
         square = np.ix_(seen, seen)
-        besides = np.diag((borne[seen] / self.unit[seen]) ** 2)
+        besides = (borne[seen] / self.unit[seen]) ** 2
         fewer = max(0.0, views**-0.5 - self.views**-0.5)
         distances, densities = np.empty(len(self.means)), np.empty(len(self.means))
         for kind, (mean, covariance, count) in enumerate(zip(self.means, self.covariances, self.counts, strict=True)):
-            spread = covariance[square] * (1.0 + 1.0 / count) + fewer * self.view_spread[square] + besides
+            spread = covariance[square] * (1.0 + 1.0 / count) + fewer * self.view_spread[square]
+            own = np.diag(spread)
+            counted = float(np.sum((own + _USUAL * besides) / (own + besides)))
+            spread = spread + np.diag(besides)
             factor = np.linalg.cholesky(spread)
             squared = float(np.sum(np.linalg.solve(factor, point[seen] / self.unit[seen] - mean[seen]) ** 2))
             freedom = self.counts.sum() + len(seen)
-            distances[kind] = squared / len(seen)
+            distances[kind] = squared / counted
             densities[kind] = -0.5 * (freedom + len(seen)) * np.log1p(squared / freedom) - np.log(np.diag(factor)).sum()
         return distances, densities
 
