@@ -9,6 +9,9 @@ from typing import Any
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import station_value
 
+DECIMALS = 9
+"""Poses are compared to a nanometre and a nanoradian: reading makes rotations orthonormal, which moves last digits."""
+
 
 def fingerprint(value: Any) -> str:  # noqa: ANN401 - JSON is any
     """Return 16 hexadecimal digits that stand for a JSON value."""
@@ -22,10 +25,15 @@ def calibration_fingerprint(station: Station) -> str:
     placed = {
         name: {
             "serial": one["serial"],
-            "pose": {"rotation": one["pose"]["rotation"], "translation_m": one["pose"]["translation_m"]},
-            "plane": {"normal": one["surface"]["normal"], "offset_m": one["surface"]["offset_m"]},
+            "pose": _rounded([one["pose"]["rotation"], one["pose"]["translation_m"]]),
+            "plane": _rounded([one["surface"]["normal"], one["surface"]["offset_m"]]),
             "depth_correction": one["depth_correction"],
         }
         for name, one in sensors.items()
     }
     return fingerprint({"reference": station.reference, "sensors": placed})
+
+
+def _rounded(value: Any) -> Any:  # noqa: ANN401 - numbers in lists in lists
+    """Return numbers rounded, without a sign on nothing."""
+    return [_rounded(one) for one in value] if isinstance(value, list) else round(value, DECIMALS) + 0.0
