@@ -11,6 +11,7 @@ from PySide6.QtGui import QIcon, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QDialog
 
 from fruitgui.gui.gc_confinement import ConfinedCollector
+from fruitgui.gui.health import HealthWatch
 from fruitgui.gui.help_window import HelpWindow
 from fruitgui.gui.logs import Logs
 from fruitgui.gui.pages import make_pages
@@ -46,23 +47,25 @@ class Application(QObject):
         self.window = MainWindow(
             self.theme, self.session.messages, self.session.tasks, make_pages(self.session, self.theme), self._close
         )
+        self._health = HealthWatch(self.session, self.window.top_bar, self)
         self._connect()
 
     def start(self) -> None:
         """Show the window and begin to look after things."""
         self._logs.open(lambda error: self.session.messages.error(unexpected_error(self.tr("the window"), error)))
         self._collector.start()
+        self._health.start()
         self._show_states()
         self.window.go_to(opening_step(self.session.states()))
         self.window.show()
         self.session.start_sensors()
+        self.session.running.find_open_lot()
         for damage in self.session.damages:
             self.session.messages.error(damage.error)
 
     def _close(self) -> bool:
         """End all that runs; it was saved as it came."""
-        self.session.tasks.close()
-        self.session.connected.stop()
+        self.session.close()
         self._collector.stop()
         self._logs.close()
         return True

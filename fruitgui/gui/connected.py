@@ -52,6 +52,14 @@ class Connected(QObject):
             self._ask()
         self.changed.emit()
 
+    def adopt(self, feed: Feed) -> None:
+        """Take over a feed that runs already, in the place of the one before, which the caller has stopped."""
+        if feed is not self._feed:
+            self._feed = feed
+            self._look.start()
+            self._ask()
+            self.changed.emit()
+
     def stop(self) -> tuple[str, ...]:
         """Stop all sensors, within two seconds; return the names of those whose driver hangs."""
         feed = self.release()

@@ -6,17 +6,7 @@ from dataclasses import dataclass
 
 from fruitgui.frame import F32, F64, U8
 from fruitgui.gui.theme.kinds import KindMark
-
-
-@dataclass(frozen=True, slots=True)
-class EllipseShape:
-    """An ellipse in a picture or on the belt: centre, half axes, and the first axis's angle from x, radians."""
-
-    x: float
-    y: float
-    major: float
-    minor: float
-    angle_rad: float
+from fruitgui.station.live.state import Spread
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,8 +26,8 @@ class DrawnFruit:
     mark: KindMark
     outline_px: F32
     words: tuple[str, ...]
-    ellipse: EllipseShape | None
-    trail_px: F32
+    ellipse: Spread | None
+    trail_px: F64
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,7 +62,7 @@ class MappedFruit:
     number: int
     mark: KindMark
     radius_m: float
-    ellipse: EllipseShape
+    ellipse: Spread
     trail_m: F64
 
 

@@ -8,13 +8,19 @@ from fruitgui.gui.session import Session
 from fruitgui.gui.steps.belt.page import BeltPage
 from fruitgui.gui.steps.calibrate.page import CalibratePage
 from fruitgui.gui.steps.connect.page import ConnectPage
+from fruitgui.gui.steps.live.page import LivePage
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.station.workflow import Step
 
 PageMaker = Callable[[Session, Theme], StepPage]
 
-MAKERS: Mapping[Step, PageMaker] = {Step.CONNECT: ConnectPage, Step.CALIBRATE: CalibratePage, Step.BELT: BeltPage}
+MAKERS: Mapping[Step, PageMaker] = {
+    Step.CONNECT: ConnectPage,
+    Step.CALIBRATE: CalibratePage,
+    Step.BELT: BeltPage,
+    Step.LIVE: LivePage,
+}
 
 
 def make_pages(session: Session, theme: Theme) -> dict[Step, StepPage]:

@@ -2,26 +2,38 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable
+from dataclasses import replace
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui.connected import Connected
+from fruitgui.gui.lot_words import LotWords, lot_words
 from fruitgui.gui.messages import Messages
+from fruitgui.gui.running import LinePlan, Running
 from fruitgui.gui.source_runner import SourceRunner
 from fruitgui.gui.tasks import TaskRunner
+from fruitgui.records.lot import LotPlan
+from fruitgui.records.lot_search import LotQuery
+from fruitgui.records.store import open_store
 from fruitgui.station.connection import Connection
 from fruitgui.station.facts import facts_of
 from fruitgui.station.kept_file import Damage, Kept, KeptFile
+from fruitgui.station.model import Model
 from fruitgui.station.settings import Settings
-from fruitgui.station.sources import Sources
+from fruitgui.station.sources import Sources, is_finite
 from fruitgui.station.station import Station
+from fruitgui.station.station_file import station_value
 from fruitgui.station.workflow import Facts, Step, StepState, step_states
 from fruitgui.station.workflow_file import Marks
 from fruitgui.station.workspace import Workspace
 
 T = TypeVar("T")
+
+LOTS_LOOKED_AT = 100
 
 
 class Session(QObject):
@@ -31,6 +43,8 @@ class Session(QObject):
         messages, tasks: the window's one voice, and its one runner of long jobs.
         connected: the sensors that run now.
         source: opens what they come from.
+        store: lots, fruit and what was taught.
+        running: the line and its lot.
         settings_changed, connection_changed, station_changed: that file was saved.
         states_changed: a step may have another state now.
         damages: files that could not be read at the start; each lies aside, unharmed.
@@ -42,18 +56,27 @@ class Session(QObject):
     states_changed = Signal()
 
     def __init__(self, workspace: Workspace, parent: QObject | None = None, *, sources: Sources | None = None) -> None:
+        """Open the workspace's files.
+
+        Raises:
+            WorldError: the records cannot be opened, see `open_store`.
+        """
         super().__init__(parent)
         self.workspace = workspace
         self.messages = Messages(self)
         self.tasks = TaskRunner(self)
         self.connected = Connected(self)
         self.source = SourceRunner(sources or Sources(), self.connected, self.tasks, self.messages, self)
+        self.store = open_store(workspace.folder)
+        self.running = Running(self.store, self.connected, self.tasks, self.messages, self)
         self.damages: list[Damage] = []
+        self._lots = self.store.lots.find(LotQuery(count=0)).found
         self._settings = self._taken(workspace.settings.load()) or Settings()
         self._connection = self._taken(workspace.connection.load())
         self._station = self._taken(workspace.station.load())
         self._marks = self._taken(workspace.marks.load()) or Marks()
         self.connected.changed.connect(self.states_changed)
+        self.running.changed.connect(self._lots_changed)
         self.source.opened.connect(self._keep_connection)
         self.source.changed.connect(self.states_changed)
 
@@ -76,6 +99,12 @@ class Session(QObject):
     def marks(self) -> Marks:
         """Which step was done with what."""
         return self._marks
+
+    def close(self) -> bool:
+        """End whatever runs, and let go of the files; an open lot stays open. Tell whether all ended in time."""
+        ended = [self.running.close(), self.tasks.close(), not self.connected.stop()]
+        self.store.close()
+        return all(ended)
 
     def start_sensors(self) -> None:
         """Let the connection's sensors run, where there is a connection; anew where they run already."""
@@ -118,9 +147,45 @@ class Session(QObject):
             self._marks = marks
             self.states_changed.emit()
 
+    def lot_words(self) -> LotWords:
+        """Return what to propose for the next lot, by the lots that were run."""
+        try:
+            return lot_words([line.lot for line in self.store.lots.find(LotQuery(count=LOTS_LOOKED_AT)).lots])
+        except FruitguiError as error:
+            self.messages.error(error)
+            return lot_words(())
+
+    def start_lot(self, plan: LotPlan) -> None:
+        """Start the line on the connected sensors, and a lot."""
+        station = self._station
+        if station is not None:
+            text = json.dumps(station_value(station))
+            whole = replace(plan, reference_sensor=station.reference, model=station.model, station_text=text)
+            self.running.start_lot(self._line_plan(station), whole)
+
+    def take_up_lot(self) -> None:
+        """Go on with the lot that is open."""
+        lot = self.running.lot
+        if self._station is not None and lot is not None:
+            self.running.take_up(self._line_plan(self._station), lot)
+
+    def _line_plan(self, station: Station) -> LinePlan:
+        connection = self._connection
+        recorded = connection is not None and is_finite(connection.source)
+        again = None if connection is None or not recorded else lambda: self.source.fresh_feed(connection)
+        return LinePlan(station, self._model_of(station), again)
+
     def facts(self) -> Facts:
         """Return what exists, as far as the files tell."""
-        return facts_of(self._connection, self._station, self._marks, present=self._present())
+        return facts_of(
+            self._connection,
+            self._station,
+            self._marks,
+            present=self._present(),
+            lots=self._lots,
+            moved=self.running.moved,
+            running=self.running.running,
+        )
 
     def states(self) -> dict[Step, StepState]:
         """Return how far each step is."""
@@ -136,6 +201,22 @@ class Session(QObject):
     def _keep_connection(self, connection: Connection) -> None:
         if connection != self._connection:
             self.save_connection(connection)
+
+    def _lots_changed(self) -> None:
+        if self.running.lot is not None:
+            self._lots = max(self._lots, 1)
+        self.states_changed.emit()
+
+    def _model_of(self, station: Station) -> Callable[[], Model | None]:
+        """Return what reads the model that a station names; it takes a moment, so a task calls it."""
+
+        def model() -> Model | None:
+            kept = self.workspace.model(station)
+            if kept.damage is not None:
+                raise kept.damage.error
+            return kept.value
+
+        return model
 
     def _taken(self, kept: Kept[T]) -> T | None:
         if kept.damage is not None:

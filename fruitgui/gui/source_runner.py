@@ -85,6 +85,15 @@ class SourceRunner(QObject):
         value = connection.source
         self._open(lambda: self._sources.source_of(value), lambda _found: connection)
 
+    def fresh_feed(self, connection: Connection) -> Feed:
+        """Return the connection's sensors in a feed that is not started yet; may be called from any thread.
+
+        Raises:
+            FruitguiError: the source cannot be used.
+        """
+        found = self._sources.source_of(connection.source).connect()
+        return Feed(named_sensors(connection, found.sensors))
+
     def _open(self, source: Callable[[], Source], connection: Callable[[Found], Connection]) -> None:
         if self._task is not None:
             self._next = lambda: self._open(source, connection)

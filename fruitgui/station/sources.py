@@ -110,6 +110,11 @@ class RecordedSource:
         return Connected(recorded_sensors(self.path, pace, looped=self.looped))
 
 
+def is_finite(value: Mapping[str, Any]) -> bool:
+    """Tell whether the source of a value comes to an end and can be played again from its beginning."""
+    return value.get("kind") == "recording" and not value.get("looped")
+
+
 @dataclass(frozen=True, slots=True)
 class Make:
     """One kind of source.

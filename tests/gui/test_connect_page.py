@@ -39,8 +39,7 @@ def rig(rendered: FrozenSource) -> FrozenSource:
 def rigged(qtbot: QtBot, tmp_path: Path, rig: FrozenSource) -> Iterator[Session]:
     made = Session(open_workspace(tmp_path / "line"), sources=frozen_sources(rig))
     yield made
-    assert made.tasks.close()
-    assert made.connected.stop() == ()
+    assert made.close()
     qtbot.waitUntil(lambda: not made.tasks.running)
     made.deleteLater()
 
@@ -93,6 +92,7 @@ def test_a_device_that_is_plugged_in_appears_by_itself(
     plugged.append(FrozenSource("Kinect A1", rig.sensors, "device"))
     qtbot.waitUntil(lambda: [row.text() for row in page.chooser.rows][:1] == ["Kinect A1"])
     page.left()
+    assert session.close()
     session.deleteLater()
 
 
@@ -137,7 +137,7 @@ def test_sensors_start_again_by_themselves_at_the_next_start(
     feed = again.connected.feed
     assert feed is not None
     qtbot.waitUntil(lambda: (frame := feed.newest("left")) is not None and frame.sensor == "left")
-    assert again.connected.stop() == ()
+    assert again.close()
     again.deleteLater()
 
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
-from fruitgui.gui.drawn import BeltMap, DrawnFruit, DrawnPicture, EllipseShape, KindLine, LastFruit, MappedFruit
+from fruitgui.gui.drawn import BeltMap, DrawnFruit, DrawnPicture, KindLine, LastFruit, MappedFruit
 from fruitgui.gui.steps.live.belt_map import BeltView
 from fruitgui.gui.steps.live.counts import CountsView
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
@@ -14,6 +14,7 @@ from fruitgui.gui.steps.live.layout import Pictures, columns_for
 from fruitgui.gui.theme.kinds import kind_marks
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.widgets.sensor_picture import Overlays, SensorPicture
+from fruitgui.station.live.state import Spread
 
 MARKS = kind_marks(["lemon", "red apple"])
 GREY = np.full((480, 640, 3), 90, np.uint8)
@@ -21,7 +22,7 @@ GREY = np.full((480, 640, 3), 90, np.uint8)
 
 def _fruit() -> DrawnFruit:
     outline = np.array([[280, 200], [360, 200], [360, 280], [280, 280]], dtype=np.float32)
-    ellipse = EllipseShape(320.0, 240.0, 12.0, 6.0, 0.0)
+    ellipse = Spread(320.0, 240.0, 12.0, 6.0, 0.0)
     return DrawnFruit(7, MARKS["lemon"], outline, ("lemon 98 %", "112 ± 4 ml"), ellipse, np.zeros((0, 2), np.float32))
 
 
@@ -111,7 +112,7 @@ def test_the_belt_is_drawn_with_what_is_on_it(qtbot: QtBot, theme: Theme) -> Non
     qtbot.addWidget(view)
     view.resize(600, 200)
     corners = np.array([[0.0, 0.0], [1.2, 0.0], [1.2, 0.4], [0.0, 0.4]])
-    fruit = MappedFruit(3, MARKS["red apple"], 0.04, EllipseShape(0.3, 0.2, 1e-3, 1e-3, 0.0), np.zeros((0, 2)))
+    fruit = MappedFruit(3, MARKS["red apple"], 0.04, Spread(0.3, 0.2, 1e-3, 1e-3, 0.0), np.zeros((0, 2)))
     view.show_map(BeltMap({"kinect_1": corners}, frozenset(), (fruit,), 0.1))
     image = view.grab().toImage()
     scale = min(600 / (1.2 * 1.08), 200 / (0.4 * 1.08))

@@ -61,8 +61,7 @@ def setting_up(stage: Stage, step: Step, rig: FrozenSource) -> Iterator[SettingU
         try:
             yield SettingUp(stage, session, window, pages[step], rig)
         finally:
-            session.tasks.close()
-            session.connected.stop()
+            session.close()
             window.close()
             stage.settle()
             window.deleteLater()

@@ -33,6 +33,7 @@ QPushButton, QToolButton, QComboBox {
     min-height: ${inner}px; padding: 0 16px;
 }
 QToolButton { padding: 0 10px; }
+QToolButton::menu-indicator { image: none; width: 0; }
 QPushButton:hover, QToolButton:hover, QComboBox:hover { border-color: $text_dim; }
 QPushButton:pressed, QToolButton:pressed { background: $line; }
 QPushButton:checked, QToolButton:checked { background: $raised; border-color: $accent; color: $accent; }

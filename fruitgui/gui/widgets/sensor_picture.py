@@ -22,13 +22,14 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from fruitgui.frame import F32
-from fruitgui.gui.drawn import DrawnFruit, DrawnPicture, EllipseShape
+from fruitgui.frame import F32, F64
+from fruitgui.gui.drawn import DrawnFruit, DrawnPicture
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.gui.widgets.pictures import image_of
+from fruitgui.station.live.state import Spread
 
 WORDS_FROM = 0.85
 """Labels have words where a pixel of the sensor takes at least so many of the screen; below, mark and number only."""
@@ -227,7 +228,7 @@ class _Labels:
         painter.drawText(text, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, "\n".join(rows))
 
 
-def paint_ellipse(painter: QPainter, ellipse: EllipseShape, to_screen: QTransform) -> None:
+def paint_ellipse(painter: QPainter, ellipse: Spread, to_screen: QTransform) -> None:
     """Draw an ellipse of picture or belt coordinates; one too small to be seen is a point of two pixels."""
     scale = float(np.sqrt(abs(to_screen.determinant())))
     painter.save()
@@ -238,5 +239,5 @@ def paint_ellipse(painter: QPainter, ellipse: EllipseShape, to_screen: QTransfor
     painter.restore()
 
 
-def _polygon(points: F32, to_screen: QTransform) -> QPolygonF:
+def _polygon(points: F32 | F64, to_screen: QTransform) -> QPolygonF:
     return to_screen.map(QPolygonF([QPointF(x, y) for x, y in points.tolist()]))

@@ -17,10 +17,137 @@
     </message>
 </context>
 <context>
+    <name>Health</name>
+    <message>
+        <source>starting</source>
+        <translation>arrancando</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>sin señal</translation>
+    </message>
+    <message>
+        <source>failed, is opened again</source>
+        <translation>falló, se abre de nuevo</translation>
+    </message>
+    <message>
+        <source>recording is over</source>
+        <translation>terminó la grabación</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>detenido</translation>
+    </message>
+</context>
+<context>
+    <name>Kinds</name>
+    <message>
+        <source>Unknown</source>
+        <translation>Desconocida</translation>
+    </message>
+</context>
+<context>
     <name>LastFruitView</name>
     <message>
         <source>Each fruit appears here as it is counted.</source>
         <translation>Cada fruta aparece aquí al contarse.</translation>
+    </message>
+</context>
+<context>
+    <name>LiveLayout</name>
+    <message>
+        <source>What is drawn over the pictures (F5 to F8)</source>
+        <translation>Qué se dibuja sobre las imágenes (F5 a F8)</translation>
+    </message>
+</context>
+<context>
+    <name>LivePage</name>
+    <message>
+        <source>Start lot</source>
+        <translation>Iniciar lote</translation>
+    </message>
+    <message>
+        <source>Go on with the lot</source>
+        <translation>Seguir con el lote</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausar</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>End lot</source>
+        <translation>Terminar lote</translation>
+    </message>
+    <message>
+        <source>Stop the line, count what is in view, end the lot</source>
+        <translation>Detener la línea, contar lo que está a la vista y terminar el lote</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Contornos</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiquetas</translation>
+    </message>
+    <message>
+        <source>± of places</source>
+        <translation>± de las posiciones</translation>
+    </message>
+    <message>
+        <source>Trails</source>
+        <translation>Trayectorias</translation>
+    </message>
+    <message>
+        <source>The line is not set up yet</source>
+        <translation>La línea aún no está preparada</translation>
+    </message>
+    <message>
+        <source>Start a lot to count fruit.</source>
+        <translation>Inicie un lote para contar fruta.</translation>
+    </message>
+    <message>
+        <source>Lot {name} is still open; every fruit that was counted is kept.</source>
+        <translation>El lote {name} sigue abierto; toda la fruta contada está guardada.</translation>
+    </message>
+    <message>
+        <source>Lot {name} is paused: fruit pass uncounted.</source>
+        <translation>El lote {name} está en pausa: la fruta pasa sin contarse.</translation>
+    </message>
+    <message>
+        <source>Lot {name} is running.</source>
+        <translation>El lote {name} está en marcha.</translation>
+    </message>
+</context>
+<context>
+    <name>LotDialog</name>
+    <message>
+        <source>Start</source>
+        <translation>Iniciar</translation>
+    </message>
+    <message>
+        <source>New lot</source>
+        <translation>Lote nuevo</translation>
+    </message>
+    <message>
+        <source>&amp;Lot</source>
+        <translation>&amp;Lote</translation>
+    </message>
+    <message>
+        <source>&amp;Grower</source>
+        <translation>&amp;Productor</translation>
+    </message>
+    <message>
+        <source>&amp;Recipe</source>
+        <translation>&amp;Receta</translation>
+    </message>
+    <message>
+        <source>&amp;Note</source>
+        <translation>&amp;Nota</translation>
     </message>
 </context>
 </TS>

@@ -28,6 +28,33 @@
     </message>
 </context>
 <context>
+    <name>Health</name>
+    <message>
+        <source>Pause the lot and calibrate again; sizes and counts since then may be wrong.</source>
+        <translation>Pause el lote y calibre de nuevo; los tamaños y conteos desde entonces pueden estar mal.</translation>
+    </message>
+    <message>
+        <source>Counting goes on in memory; what waits is kept as soon as there is room.</source>
+        <translation>El conteo sigue en memoria; lo que espera se guarda apenas haya espacio.</translation>
+    </message>
+    <message>
+        <source>{well}/{all} sensors</source>
+        <translation>{well}/{all} sensores</translation>
+    </message>
+    <message>
+        <source>No pictures from {sensors}; its part of the belt is not seen.</source>
+        <translation>Sin imágenes de {sensors}; su parte de la cinta no se ve.</translation>
+    </message>
+    <message>
+        <source>From a picture to what is drawn: {latency}. Waiting: {backlog} pictures. Left out: {dropped}.</source>
+        <translation>De la imagen a lo dibujado: {latency}. En espera: {backlog} imágenes. Omitidas: {dropped}.</translation>
+    </message>
+    <message>
+        <source>Free on the disk: {free} GB.</source>
+        <translation>Libre en el disco: {free} GB.</translation>
+    </message>
+</context>
+<context>
     <name>HelpWindow</name>
     <message>
         <source>Manual</source>
@@ -55,6 +82,45 @@
     <message>
         <source>The volumes of what was counted appear here.</source>
         <translation>Aquí aparecen los volúmenes de lo contado.</translation>
+    </message>
+</context>
+<context>
+    <name>Running</name>
+    <message>
+        <source>Counting the fruit still in view</source>
+        <translation>Contando la fruta que aún está a la vista</translation>
+    </message>
+    <message>
+        <source>Ending the lot</source>
+        <translation>Terminando el lote</translation>
+    </message>
+    <message>
+        <source>Starting the line</source>
+        <translation>Poniendo en marcha la línea</translation>
+    </message>
+    <message>
+        <source>Starting the lot</source>
+        <translation>Iniciando el lote</translation>
+    </message>
+    <message>
+        <source>Lot {name} is ended with {count} fruit.</source>
+        <translation>El lote {name} terminó con {count} frutas.</translation>
+    </message>
+    <message>
+        <source>Keeping the lot</source>
+        <translation>Guardando el lote</translation>
+    </message>
+    <message>
+        <source>Stopping the line</source>
+        <translation>Deteniendo la línea</translation>
+    </message>
+    <message>
+        <source>The sensors were changed, so the line was stopped.</source>
+        <translation>Se cambiaron los sensores, por eso se detuvo la línea.</translation>
+    </message>
+    <message>
+        <source>The lot is still open: go on with it on the live screen.</source>
+        <translation>El lote sigue abierto: continúelo en la pantalla En vivo.</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.gui.drawn import LastFruit
 from fruitgui.gui.numbers import measured_text, percent_text
+from fruitgui.gui.theme.kinds import UNKNOWN
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.kind_mark import paint_mark
@@ -81,7 +82,12 @@ class LastFruitView(QWidget):
                          measured_text(fruit.volume_ml, fruit.volume_std_ml, "ml"))  # fmt: skip
         painter.setPen(theme.colour("text_dim"))
         painter.drawText(QRectF(text.left(), text.top() + 2 * third, text.width(), third), left,
-                         f"{fruit.number} · {percent_text(fruit.probability)}")  # fmt: skip
+                         _small_print(fruit))  # fmt: skip
+
+
+def _small_print(fruit: LastFruit) -> str:
+    sure = "" if fruit.mark.kind == UNKNOWN else f" · {percent_text(fruit.probability)}"
+    return f"{fruit.number}{sure}"
 
 
 def _decoded(picture: bytes | None) -> QPixmap:

@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, QSize
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from fruitgui.gui.steps.live.belt_map import BeltView
 from fruitgui.gui.steps.live.counts import CountsView
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
+from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card
@@ -90,3 +93,39 @@ class LiveLayout(QWidget):
         whole.setSpacing(2 * GRID)
         whole.addLayout(left, 8)
         whole.addLayout(right, 5)
+        self._shown = QToolButton(self.pictures)
+        self._shown.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self._shown.setIconSize(QSize(22, 22))
+        self._menu = QMenu(self._shown)
+        self._shown.setMenu(self._menu)
+        self.pictures.installEventFilter(self)
+        theme.changed.connect(self._draw)
+        self._theme = theme
+        self._draw()
+        self._say_words()
+
+    def show_overlay_actions(self, actions: Sequence[QAction]) -> None:
+        """Offer to choose what is drawn over the pictures."""
+        self._menu.addActions(list(actions))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+        """Keep the button in its corner."""
+        if watched is self.pictures and event.type() in (QEvent.Type.Resize, QEvent.Type.ChildAdded):
+            self._shown.adjustSize()
+            self._shown.move(self.pictures.width() - self._shown.width() - GRID, GRID)
+            self._shown.raise_()
+        return super().eventFilter(watched, event)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._say_words()
+        super().changeEvent(event)
+
+    def _draw(self) -> None:
+        self._shown.setIcon(icons.icon("layers", self._theme.colour("text")))
+
+    def _say_words(self) -> None:
+        text = self.tr("What is drawn over the pictures (F5 to F8)")
+        self._shown.setToolTip(text)
+        self._shown.setAccessibleName(text)

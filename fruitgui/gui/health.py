@@ -1,0 +1,117 @@
+"""Whether all is well: the words at the top of the window, and warnings said once, at once."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QObject, QTimer
+
+from fruitgui.gui.messages import Level, Message
+from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.session import Session
+from fruitgui.gui.top_bar import Pill, TopBar
+from fruitgui.sensors.feed import Running, SensorHealth
+from fruitgui.station.live.state import LiveState, LiveWarning
+
+LOOK_MS = 1000
+SLOW_S = 1.0
+"""Behind by more than this, a person at the belt sees a fruit counted when it is out of reach."""
+
+BEHIND_FRAMES = 30
+BYTES_PER_GB = 1e9
+
+
+class HealthWatch(QObject):
+    """Keeps the pills of the top bar true, and says what the line warns of."""
+
+    def __init__(self, session: Session, bar: TopBar, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._bar = bar
+        self._said: set[tuple[str, tuple[str, ...]]] = set()
+        self._timer = QTimer(self, interval=LOOK_MS)
+        self._timer.timeout.connect(self.look)
+        session.running.ticked.connect(self._warn)
+        session.running.changed.connect(self.look)
+        session.connected.changed.connect(self.look)
+
+    def start(self) -> None:
+        """Begin to look, once a second."""
+        self._timer.start()
+        self.look()
+
+    def look(self) -> None:
+        """Show how all is now."""
+        running = self._session.running
+        pills = [sensors_pill(self._session.connected.health)] if self._session.connected.health else []
+        if running.running and running.state is not None:
+            pills.append(line_pill(running.state))
+        free_gb = shutil.disk_usage(self._session.workspace.folder).free / BYTES_PER_GB
+        pills.append(disk_pill(free_gb, self._session.settings.least_free_mb / 1000.0))
+        self._bar.show_pills(tuple(pills))
+        lot = running.lot
+        place = "" if lot is None else " · ".join(text for text in (lot.name, lot.grower) if text)
+        self._bar.show_place(line_name(self._session.workspace.folder), place)
+
+    def _warn(self) -> None:
+        """Say each warning of the line once; those of a bumped rig stay until they are put away."""
+        running = self._session.running
+        if running.state is None or not running.running:
+            self._said.clear()
+            return
+        for warning in running.state.warnings:
+            key = (warning.code, warning.sensors)
+            if key not in self._said:
+                self._said.add(key)
+                self._session.messages.say(warning_message(warning))
+
+
+def line_name(folder: Path) -> str:
+    """Return what a line is called: its folder's name."""
+    return folder.name[:1].upper() + folder.name[1:].replace("_", " ")
+
+
+def warning_message(warning: LiveWarning) -> Message:
+    """Return a warning of the line as a message: what happened, what it means, what to do."""
+    remedies: Mapping[str, str] = {
+        "calibration_stale": QCoreApplication.translate(
+            "Health", "Pause the lot and calibrate again; sizes and counts since then may be wrong."
+        ),
+        "not_kept": QCoreApplication.translate(
+            "Health", "Counting goes on in memory; what waits is kept as soon as there is room."
+        ),
+    }
+    stays = warning.code in remedies
+    level = Level.BAD if stays else Level.WARN
+    return Message(level, warning.text, remedies.get(warning.code, ""), stays=stays)
+
+
+def sensors_pill(health: Mapping[str, SensorHealth]) -> Pill:
+    """Return how many of the sensors run."""
+    well = [name for name, one in health.items() if one.state in (Running.RUNNING, Running.ENDED)]
+    missing = [name for name in health if name not in well]
+    text = QCoreApplication.translate("Health", "{well}/{all} sensors").format(well=len(well), all=len(health))
+    if not missing:
+        return Pill("sensors", "camera", text, "good")
+    tip = QCoreApplication.translate("Health", "No pictures from {sensors}; its part of the belt is not seen.")
+    return Pill("sensors", "camera", text, "bad", tip.format(sensors=", ".join(missing)))
+
+
+def line_pill(state: LiveState) -> Pill:
+    """Return how far behind the line is, and what it had no time for."""
+    dropped = sum(state.dropped.values())
+    slow = state.latency_s > SLOW_S or state.backlog > BEHIND_FRAMES
+    text = f"{number_text(state.latency_s * 1e3, 0)}{THIN}ms"
+    tip = QCoreApplication.translate(
+        "Health", "From a picture to what is drawn: {latency}. Waiting: {backlog} pictures. Left out: {dropped}."
+    ).format(latency=text, backlog=state.backlog, dropped=dropped)
+    return Pill("line", "clock", text, "warn" if slow or dropped else "good", tip)
+
+
+def disk_pill(free_gb: float, least_gb: float) -> Pill:
+    """Return how much room the disk has."""
+    health = "" if free_gb > 2.0 * least_gb else ("warn" if free_gb > least_gb else "bad")
+    tip = QCoreApplication.translate("Health", "Free on the disk: {free} GB.").format(free=number_text(free_gb, 1))
+    return Pill("disk", "disk", f"{number_text(free_gb, 0)}{THIN}GB", health, tip)

@@ -1,0 +1,287 @@
+"""The line while it runs, whichever screen is looked at: its lot, its state, what was counted."""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
+
+from fruitgui.errors import FruitguiError, InputError
+from fruitgui.gui.connected import Connected
+from fruitgui.gui.messages import Messages
+from fruitgui.gui.steps.live.tally import Tally
+from fruitgui.gui.tasks import Job, Task, TaskRunner
+from fruitgui.progress import Cancelled, Progress
+from fruitgui.records.lot import Lot, LotPlan
+from fruitgui.records.store import Store
+from fruitgui.records.totals import KindTotal
+from fruitgui.sensors.feed import Feed
+from fruitgui.station.fruit import Fruit
+from fruitgui.station.live import FLAT_OUT, LIVE, LiveLine, LiveState, Preview
+from fruitgui.station.model import Model
+from fruitgui.station.sink import CountedFruit, Crop
+from fruitgui.station.station import Station
+from fruitgui.station.waiting import BufferedSink
+
+T = TypeVar("T")
+
+TICK_MS = 100
+CLOSE_S = 8.0
+
+
+class NotedSink:
+    """Keeps fruit in the store, and notes what is durable for the screen."""
+
+    def __init__(self, store: Store) -> None:
+        self._store = store
+        self._noted: deque[CountedFruit] = deque()
+
+    def commit(self, lot: int, fruit: Fruit, crops: Sequence[Crop]) -> CountedFruit:
+        """Keep one fruit, see `FruitSink.commit`."""
+        counted = self._store.commit(lot, fruit, crops)
+        self._noted.append(counted)
+        return counted
+
+    def drain(self) -> list[CountedFruit]:
+        """Return what was noted since the last time."""
+        return [self._noted.popleft() for _ in range(len(self._noted))]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LinePlan:
+    """What a line is started with.
+
+    Attributes:
+        station: that its sensors belong to.
+        model: reads the model; it takes a moment, so a task calls it.
+        again: makes the sensors anew, for recordings: they are played from their beginning, and wait for the line.
+            None for sensors that run by themselves.
+    """
+
+    station: Station
+    model: Callable[[], Model | None]
+    again: Callable[[], Feed] | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Begun:
+    """A lot that runs: the feed and the line that counts into it, the kinds it knows, what the lot holds already."""
+
+    feed: Feed
+    line: LiveLine
+    lot: Lot
+    kinds: tuple[str, ...]
+    totals: tuple[KindTotal, ...]
+
+
+class Running(QObject):
+    """Starts, pauses and ends lots; whatever takes long is done by a task.
+
+    Attributes:
+        lot: the lot that is open, or None.
+        kinds: of the model that names fruit now.
+        tally: what the lot amounts to.
+        moved: the line saw that a sensor was moved since it was calibrated.
+        changed: another lot, or none; paused or not; the line started or stopped.
+        ticked: ten times a second while the line runs: `state` is new.
+    """
+
+    changed = Signal()
+    ticked = Signal()
+
+    def __init__(
+        self, store: Store, connected: Connected, tasks: TaskRunner, messages: Messages, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._store = store
+        self._connected = connected
+        self._tasks = tasks
+        self._messages = messages
+        self._sink = NotedSink(store)
+        self._line: LiveLine | None = None
+        self._state: LiveState | None = None
+        self.lot: Lot | None = None
+        self.kinds: tuple[str, ...] = ()
+        self.tally = Tally()
+        self.moved = False
+        self._tick = QTimer(self, interval=TICK_MS)
+        self._tick.timeout.connect(self._look)
+        connected.changed.connect(self._sensors_changed)
+
+    @property
+    def running(self) -> bool:
+        """Whether the line runs, counting or not."""
+        return self._line is not None
+
+    @property
+    def paused(self) -> bool:
+        """Whether the lot stands still."""
+        return self.lot is not None and self.lot.paused
+
+    @property
+    def state(self) -> LiveState | None:
+        """How the line was at the last tick."""
+        return self._state
+
+    @property
+    def previews(self) -> dict[str, Preview]:
+        """The newest pictures of the line."""
+        return {} if self._line is None else self._line.previews
+
+    def start_lot(self, line: LinePlan, lot: LotPlan) -> None:
+        """Start the line and a lot."""
+        self._begin(line, lambda: self._store.lots.start(lot))
+
+    def take_up(self, line: LinePlan, lot: Lot) -> None:
+        """Go on with a lot that was left open."""
+        self._begin(line, lambda: self._store.lots.take_up(lot.key))
+
+    def find_open_lot(self) -> None:
+        """Look for a lot that was left open when the program ended; it can be taken up."""
+        self.lot = self._store.lots.open_lot()
+        self.changed.emit()
+
+    def pause(self) -> None:
+        """Let fruit pass uncounted."""
+        line, lot = self._line, self.lot
+        if line is None or lot is None:
+            return
+        line.count_into(None)
+        self._keep(lambda: self._store.lots.pause(lot.key))
+
+    def resume(self) -> None:
+        """Count again."""
+        line, lot = self._line, self.lot
+        if line is None or lot is None:
+            return
+        line.count_into(lot.key)
+        self._keep(lambda: self._store.lots.resume(lot.key))
+
+    def end_lot(self) -> None:
+        """Stop the line, count what is in view, and end the lot."""
+        line, lot = self._line, self.lot
+        if line is None or lot is None:
+            return
+
+        def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - it ends within seconds
+            progress(0.0, QCoreApplication.translate("Running", "Counting the fruit still in view"))
+            line.stop()
+            return self._store.lots.end(lot.key)
+
+        self._run(QCoreApplication.translate("Running", "Ending the lot"), job, self._ended)
+
+    def close(self) -> bool:
+        """Stop the line; the lot stays open and can be taken up again. Tell whether all was counted in time."""
+        line, self._line = self._line, None
+        self._tick.stop()
+        return True if line is None else line.stop(CLOSE_S)
+
+    def _begin(self, plan: LinePlan, lot: Callable[[], Lot]) -> None:
+        now = self._connected.feed
+        if now is None or self._line is not None:
+            return
+        if plan.again is not None:
+            self._connected.release()
+
+        def job(progress: Progress, cancelled: Cancelled) -> Begun:  # noqa: ARG001 - it takes a second or two
+            progress(0.0, QCoreApplication.translate("Running", "Starting the line"))
+            return self._started(now, plan, lot)
+
+        self._run(QCoreApplication.translate("Running", "Starting the lot"), job, self._begun)
+
+    def _started(self, feed: Feed, plan: LinePlan, begin: Callable[[], Lot]) -> Begun:
+        """Start line and lot, both or neither; on a thread of a task."""
+        if plan.again is not None:
+            feed.stop()
+            feed = plan.again()
+        model = plan.model()
+        line = LiveLine(
+            feed, plan.station, model, BufferedSink(self._sink), intake=LIVE if plan.again is None else FLAT_OUT
+        )
+        lot = begin()
+        totals = self._store.lots.totals(lot.key)
+        line.count_into(None if lot.paused else lot.key)
+        line.start()
+        if plan.again is not None:
+            feed.start()
+        return Begun(feed, line, lot, () if model is None else tuple(model.kinds.kinds), totals)
+
+    def _begun(self, begun: Begun) -> None:
+        self._connected.adopt(begun.feed)
+        self._line, self.lot, self.kinds = begun.line, begun.lot, begun.kinds
+        self.tally = Tally.of(begun.totals)
+        self._tick.start()
+        self._look()
+        self.changed.emit()
+
+    def _ended(self, lot: Lot) -> None:
+        self._look()
+        self._line, self.lot = None, None
+        self._tick.stop()
+        self._messages.good(
+            QCoreApplication.translate("Running", "Lot {name} is ended with {count} fruit.").format(
+                name=lot.name, count=self.tally.count_all
+            )
+        )
+        self.changed.emit()
+
+    def _keep(self, change: Callable[[], Lot]) -> None:
+        def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - one row of a table
+            return change()
+
+        self._run(QCoreApplication.translate("Running", "Keeping the lot"), job, self._kept)
+
+    def _kept(self, lot: Lot) -> None:
+        self.lot = lot
+        self.changed.emit()
+
+    def _run(self, name: str, job: Job[T], done: Callable[[T], None]) -> Task[T]:
+        task = self._tasks.run(name, job)
+        task.succeeded.connect(done)
+        task.failed.connect(self._failed)
+        return task
+
+    def _failed(self, error: FruitguiError) -> None:
+        self._messages.error(error)
+        self.changed.emit()
+
+    def _look(self) -> None:
+        """Take in what the line shows, and what was counted since."""
+        if self._line is not None:
+            self._state = self._line.state
+            self._watch_rig(self._state)
+        now_s = time.monotonic()
+        for counted in self._sink.drain():
+            self.tally.count(counted.fruit, now_s)
+        self.ticked.emit()
+
+    def _watch_rig(self, state: LiveState) -> None:
+        moved = any(warning.code == "calibration_stale" for warning in state.warnings)
+        if moved != self.moved:
+            self.moved = moved
+            self.changed.emit()
+
+    def _sensors_changed(self) -> None:
+        """Stop the line when its sensors are taken away; the lot stays open."""
+        line, lot = self._line, self.lot
+        if line is None or lot is None:
+            return
+        self._line = None
+        self._tick.stop()
+
+        def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - it ends within seconds
+            line.stop()
+            return self._store.lots.pause(lot.key)
+
+        self._run(QCoreApplication.translate("Running", "Stopping the line"), job, self._kept)
+        self._messages.error(
+            InputError(
+                "sensors_changed",
+                QCoreApplication.translate("Running", "The sensors were changed, so the line was stopped."),
+                QCoreApplication.translate("Running", "The lot is still open: go on with it on the live screen."),
+            )
+        )

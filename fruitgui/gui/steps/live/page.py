@@ -1,0 +1,204 @@
+"""The live screen."""
+
+from __future__ import annotations
+
+import time
+
+from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
+
+from fruitgui.gui.running import Running
+from fruitgui.gui.session import Session
+from fruitgui.gui.step_words import reason_text
+from fruitgui.gui.steps.live import presenter
+from fruitgui.gui.steps.live.layout import LiveLayout
+from fruitgui.gui.steps.live.lot_dialog import LotDialog
+from fruitgui.gui.steps.live.presenter import Marks
+from fruitgui.gui.steps.page import StepPage
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.cards import EmptyPlace
+from fruitgui.gui.widgets.sensor_picture import Overlays
+from fruitgui.sensors.feed import Feed
+from fruitgui.station.live.state import Preview
+from fruitgui.station.workflow import State, Step
+
+DRAW_MS = 40
+HISTOGRAM_EVERY = 10
+"""The histogram is drawn anew at every tenth look: a second's fruit hardly change it."""
+
+
+class LivePage(StepPage):
+    """Shows the line, and starts, pauses and ends lots."""
+
+    def __init__(self, session: Session, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._running: Running = session.running
+        self._marks = Marks()
+        self._looks = 0
+        self._dialog: LotDialog | None = None
+        self.body = LiveLayout(theme, self)
+        self.empty = EmptyPlace(theme, "live", parent=self)
+        self._make_actions()
+        self._lay_out()
+        self._draw = QTimer(self, interval=DRAW_MS)
+        self._draw.timeout.connect(self._draw_pictures)
+        self._running.changed.connect(self._follow)
+        self._running.ticked.connect(self._draw_numbers)
+        session.states_changed.connect(self._follow)
+        self._say_words()
+        self._follow()
+
+    def entered(self) -> None:
+        """Draw while in view."""
+        self._draw.start()
+        self._follow()
+        self._draw_numbers()
+
+    def left(self) -> None:
+        """Draw no more; the line goes on."""
+        self._draw.stop()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._say_words()
+            self._follow()
+            self._draw_numbers()
+        super().changeEvent(event)
+
+    def _make_actions(self) -> None:
+        self.start, self.take_up = QAction(self), QAction(self)
+        self.pause, self.resume, self.end = QAction(self), QAction(self), QAction(self)
+        for action, name, key, does in (
+            (self.start, "play", "Ctrl+Return", self._ask),
+            (self.take_up, "play", "Ctrl+Return", self._take_up),
+            (self.pause, "pause", "Ctrl+Space", self._running.pause),
+            (self.resume, "play", "Ctrl+Space", self._running.resume),
+            (self.end, "stop", "Ctrl+E", self._running.end_lot),
+        ):
+            action.setProperty("icon", name)
+            action.setShortcut(QKeySequence(key))
+            action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            action.triggered.connect(does)
+            self.addAction(action)
+        self.overlays = {name: QAction(self, checkable=True, checked=True) for name in Overlays.__dataclass_fields__}
+        for number, action in enumerate(self.overlays.values(), start=1):
+            action.setShortcut(QKeySequence(f"F{number + 4}"))
+            action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            action.toggled.connect(self._show_overlays)
+            self.addAction(action)
+
+    def _lay_out(self) -> None:
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self.empty)
+        self._stack.addWidget(self.body)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        column.addLayout(self._stack)
+        self.body.show_overlay_actions(tuple(self.overlays.values()))
+
+    def _say_words(self) -> None:
+        self.start.setText(self.tr("Start lot"))
+        self.take_up.setText(self.tr("Go on with the lot"))
+        self.pause.setText(self.tr("Pause"))
+        self.resume.setText(self.tr("Go on"))
+        self.end.setText(self.tr("End lot"))
+        self.end.setToolTip(self.tr("Stop the line, count what is in view, end the lot"))
+        for name, text in (
+            ("outlines", self.tr("Outlines")),
+            ("labels", self.tr("Labels")),
+            ("ellipses", self.tr("± of places")),
+            ("trails", self.tr("Trails")),
+        ):
+            self.overlays[name].setText(text)
+
+    def _follow(self) -> None:
+        """Show what can be done now."""
+        state = self._session.states()[Step.LIVE]
+        ready = state.state is not State.TO_DO or self._running.running
+        self._stack.setCurrentWidget(self.body if ready else self.empty)
+        self.empty.show_words(self.tr("The line is not set up yet"), reason_text(state))
+        lot, running = self._running.lot, self._running.running
+        for action in (self.start, self.take_up):
+            action.setEnabled(ready)
+        if lot is None:
+            self.offer(self.start)
+            self.say(self.tr("Start a lot to count fruit.") if ready else "")
+        elif not running:
+            self.offer(self.take_up)
+            self.say(self.tr("Lot {name} is still open; every fruit that was counted is kept.").format(name=lot.name))
+        elif lot.paused:
+            self.offer(self.resume, self.end)
+            self.say(self.tr("Lot {name} is paused: fruit pass uncounted.").format(name=lot.name))
+        else:
+            self.offer(self.end, self.pause)
+            self.say(self.tr("Lot {name} is running.").format(name=lot.name))
+        self._show_sensors()
+
+    def _show_sensors(self) -> None:
+        feed = self._session.connected.feed
+        self.body.pictures.show_sensors(() if feed is None else feed.sensors)
+        self._show_overlays()
+
+    def _show_overlays(self) -> None:
+        chosen = Overlays(**{name: action.isChecked() for name, action in self.overlays.items()})
+        for picture in self.body.pictures.pictures.values():
+            picture.show_overlays(chosen)
+
+    def _draw_pictures(self) -> None:
+        """Draw the newest pictures, with what the line saw in them where it runs."""
+        feed = self._session.connected.feed
+        if feed is None:
+            return
+        seen, health = self._running.previews, self._session.connected.health
+        for sensor, picture in self.body.pictures.pictures.items():
+            preview = seen.get(sensor) or plain_preview(feed, sensor)
+            if preview is not None:
+                picture.show_picture(presenter.drawn_picture(preview, self._marks, health.get(sensor)))
+
+    def _draw_numbers(self) -> None:
+        if not self._draw.isActive():
+            return
+        now_s = time.monotonic()
+        tally = self._running.tally
+        for kind in self._running.kinds:
+            self._marks.of(kind)
+        self.body.counts.show_lines(presenter.kind_lines(tally, self._running.kinds, self._marks, now_s))
+        state = self._running.state
+        if state is not None:
+            self.body.belt.show_map(presenter.belt_map(state, self._marks))
+            self.body.last.show_fruit(presenter.last_fruit(state.last, self._marks))
+        if self._looks % HISTOGRAM_EVERY == 0:
+            histogram = tally.histogram()
+            low, high = (0.0, 1.0) if histogram is None else (histogram.low_ml, histogram.high_ml)
+            self.body.histogram.show_bars(presenter.bars(histogram, self._marks), low, high)
+        self._looks += 1
+
+    def _ask(self) -> None:
+        """Ask for the lot's name."""
+        words = self._session.lot_words()
+        self._dialog = LotDialog(words.name, words.growers, words.recipes, self)
+        self._dialog.finished.connect(self._asked)
+        self._dialog.open()
+
+    def _asked(self, result: int) -> None:
+        dialog, self._dialog = self._dialog, None
+        if dialog is None:
+            return
+        if result == LotDialog.DialogCode.Accepted:
+            self._session.start_lot(dialog.plan())
+        dialog.deleteLater()
+
+    def _take_up(self) -> None:
+        self._session.take_up_lot()
+
+
+def plain_preview(feed: Feed, sensor: str) -> Preview | None:
+    """Return a sensor's newest picture as it is, for when no line runs."""
+    frame = feed.newest(sensor)
+    if frame is None:
+        return None
+    return Preview(sensor, sensor, frame.sequence, frame.time_s, frame.color, (), 0.0)

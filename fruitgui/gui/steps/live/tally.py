@@ -1,0 +1,139 @@
+"""What a lot amounts to so far, added up as fruit are counted; no widgets, no database."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from math import isfinite, sqrt
+
+import numpy as np
+
+from fruitgui.frame import F64, Ints
+from fruitgui.records.totals import KindTotal
+from fruitgui.station.fruit import Fruit
+from fruitgui.station.report import ML_PER_M3
+
+RATE_OVER_S = 120.0
+"""A rate is over the last two minutes: long enough to be calm, short enough to show a change."""
+
+SHORTEST_S = 10.0
+BINS = 40
+NARROWEST_ML = 20.0
+MOST_VOLUMES = 50_000
+LITRES_PER_M3 = 1e3
+
+
+@dataclass(slots=True)
+class KindSum:
+    """The fruit of one kind.
+
+    Attributes:
+        count: of them. volume_ml, square_ml2: sums of their volumes and of the squares.
+        mass_kg: sum of their masses; None where none has one.
+    """
+
+    count: int = 0
+    volume_ml: float = 0.0
+    square_ml2: float = 0.0
+    mass_kg: float | None = None
+
+    def add(self, volume_ml: float, mass_kg: float | None) -> None:
+        """Add a fruit."""
+        self.count += 1
+        self.volume_ml += volume_ml
+        self.square_ml2 += volume_ml**2
+        if mass_kg is not None:
+            self.mass_kg = (self.mass_kg or 0.0) + mass_kg
+
+    @property
+    def mean_ml(self) -> float | None:
+        """Mean volume."""
+        return self.volume_ml / self.count if self.count else None
+
+    @property
+    def spread_ml(self) -> float | None:
+        """Standard deviation between the fruit; None below two."""
+        if self.count < 2:
+            return None
+        return sqrt(max(self.square_ml2 - self.volume_ml**2 / self.count, 0.0) / (self.count - 1))
+
+
+@dataclass(slots=True)
+class Tally:
+    """A lot so far: sums by kind, how fast they come, and their volumes.
+
+    Made from what the records hold when a lot is taken up, and kept up by `count`.
+    """
+
+    sums: dict[str, KindSum] = field(default_factory=dict)
+    _counted: deque[tuple[float, str]] = field(default_factory=deque)
+    _volumes_ml: dict[str, deque[float]] = field(default_factory=dict)
+    _began_s: float | None = None
+
+    @classmethod
+    def of(cls, totals: Iterable[KindTotal]) -> Tally:
+        """Return the tally of a lot that has some fruit already."""
+        return cls({one.kind: _sum_of(one) for one in totals})
+
+    @property
+    def count_all(self) -> int:
+        """All fruit of the lot."""
+        return sum(one.count for one in self.sums.values())
+
+    def count(self, fruit: Fruit, now_s: float) -> None:
+        """Add a fruit that is counted at `now_s`, by the host's monotonic clock."""
+        volume_ml = fruit.volume_m3.value * ML_PER_M3
+        mass_kg = None if fruit.mass_kg is None else fruit.mass_kg.value
+        self.sums.setdefault(fruit.kind, KindSum()).add(volume_ml, mass_kg)
+        self._volumes_ml.setdefault(fruit.kind, deque(maxlen=MOST_VOLUMES)).append(volume_ml)
+        self._counted.append((now_s, fruit.kind))
+        self._began_s = now_s if self._began_s is None else self._began_s
+
+    def per_minute(self, now_s: float) -> Mapping[str, float]:
+        """Return how many fruit of each kind come in a minute, over the last two."""
+        while self._counted and self._counted[0][0] < now_s - RATE_OVER_S:
+            self._counted.popleft()
+        began_s = now_s if self._began_s is None else self._began_s
+        over_s = min(max(now_s - began_s, SHORTEST_S), RATE_OVER_S)
+        rates: dict[str, float] = {}
+        for _, kind in self._counted:
+            rates[kind] = rates.get(kind, 0.0) + 60.0 / over_s
+        return rates
+
+    def histogram(self) -> Histogram | None:
+        """Return the volumes of what was counted since the tally was made, in bins; None before the first."""
+        known = {kind: np.fromiter(values, float) for kind, values in self._volumes_ml.items() if values}
+        if not known:
+            return None
+        low, high = round_ends(np.concatenate(list(known.values())))
+        counts = {
+            kind: np.histogram(np.clip(values, low, high), BINS, (low, high))[0] for kind, values in known.items()
+        }
+        return Histogram(low, high, counts)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Histogram:
+    """Counts in equal bins from `low_ml` to `high_ml`, by kind."""
+
+    low_ml: float
+    high_ml: float
+    counts: Mapping[str, Ints]
+
+
+def round_ends(volumes_ml: F64) -> tuple[float, float]:
+    """Return round ends between which nearly all volumes lie."""
+    low, high = (float(value) for value in np.quantile(volumes_ml, [0.005, 0.995]))
+    middle, half = (low + high) / 2.0, max((high - low) * 0.6, NARROWEST_ML)
+    step = 10.0 if half < 150.0 else 50.0
+    return max(float(np.floor((middle - half) / step)) * step, 0.0), float(np.ceil((middle + half) / step)) * step
+
+
+def _sum_of(total: KindTotal) -> KindSum:
+    volume_ml = total.volume_m3.value * ML_PER_M3
+    spread_ml = total.volume_spread_m3 * ML_PER_M3
+    square_ml2 = volume_ml**2 / total.measured if total.measured else 0.0
+    if isfinite(spread_ml):
+        square_ml2 += spread_ml**2 * (total.measured - 1)
+    return KindSum(total.fruit, volume_ml, square_ml2, total.mass_kg.value if total.weighed else None)

@@ -1,0 +1,48 @@
+"""A short line with known truth, rendered once: its recording, its station, what crossed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+
+from fruitgui.gui.session import Session
+from fruitgui.simulation.scenes import line_scene
+from fruitgui.station.connection import connection_to
+from fruitgui.station.fingerprint import calibration_fingerprint
+from fruitgui.station.record_job import record_simulation
+from fruitgui.station.sources import RecordedSource
+from fruitgui.station.station import Station, StationSensor
+from fruitgui.station.workflow_file import Marks
+
+FRUIT = 6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LineRecording:
+    """Where it is, the station with true poses, and how many pieces of each kind crossed."""
+
+    path: Path
+    station: Station
+    truth: Counter[str]
+
+    def set_up(self, session: Session) -> None:
+        """Connect a session to it, as if every step before the live screen were done."""
+        source = RecordedSource(self.path, speed=0.0)
+        session.save_connection(connection_to(source.value(), source.connect().sensors))
+        session.save_station(self.station)
+        session.save_marks(Marks(belt_calibration=calibration_fingerprint(self.station)))
+        session.start_sensors()
+
+
+def record_line(folder: Path) -> LineRecording:
+    """Render it into a folder."""
+    simulation = line_scene(11, fruit=FRUIT, speed_m_s=0.25)
+    path = folder / "line.mcap"
+    record_simulation(simulation, path)
+    sensors = {
+        name: StationSensor(simulation.device(name).serial, mount.pose, mount.surface)
+        for name, mount in simulation.rig().mounts.items()
+    }
+    truth = Counter(one.kind for one in simulation.truth.fruit)
+    return LineRecording(path, Station(simulation.rig().reference, sensors), truth)

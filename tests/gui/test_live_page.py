@@ -1,0 +1,128 @@
+"""The live screen on a recording of a simulated line: what it counts is what crossed."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton
+from pytestqt.qtbot import QtBot
+
+from fruitgui.gui.session import Session
+from fruitgui.gui.steps.live.lot_dialog import LotDialog
+from fruitgui.gui.steps.live.page import LivePage
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.records.lot_search import LotQuery
+from fruitgui.station.live import Phase
+from fruitgui.station.workflow import State, Step
+from tests.gui.line_recording import FRUIT, LineRecording, record_line
+
+LONG_MS = 120_000
+
+pytestmark = pytest.mark.xdist_group("live page")
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> LineRecording:
+    return record_line(tmp_path_factory.mktemp("line"))
+
+
+@pytest.fixture
+def page(qtbot: QtBot, session: Session, theme: Theme) -> LivePage:
+    made = LivePage(session, theme)
+    qtbot.addWidget(made)
+    made.resize(1072, 586)
+    made.show()
+    made.entered()
+    return made
+
+
+@pytest.fixture
+def ready(qtbot: QtBot, session: Session, page: LivePage, recorded: LineRecording) -> LivePage:
+    recorded.set_up(session)
+    qtbot.waitUntil(lambda: session.connected.feed is not None and not session.tasks.running, timeout=LONG_MS)
+    return page
+
+
+def _start(qtbot: QtBot, session: Session, page: LivePage, name: str = "1184") -> None:
+    page.start.trigger()
+    dialog = page.findChild(LotDialog)
+    assert isinstance(dialog, LotDialog)
+    dialog.name.setText(name)
+    button = next(one for one in dialog.findChildren(QPushButton) if one.text() == "Start")
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: session.running.running, timeout=LONG_MS)
+
+
+def _run_to_the_end(qtbot: QtBot, session: Session) -> None:
+    def over() -> bool:
+        state = session.running.state
+        return state is not None and state.phase is Phase.ENDED
+
+    qtbot.waitUntil(over, timeout=LONG_MS)
+
+
+def test_before_it_is_set_up_the_screen_says_what_comes_first(session: Session, page: LivePage) -> None:
+    assert session.states()[Step.LIVE].state is State.TO_DO
+    assert not page.body.isVisible()
+    assert not page.start.isEnabled()
+
+
+def test_a_lot_counts_what_crossed_and_is_kept(qtbot: QtBot, session: Session, ready: LivePage) -> None:
+    assert ready.main_action is ready.start
+    _start(qtbot, session, ready)
+    assert ready.main_action is ready.end
+    _run_to_the_end(qtbot, session)
+    ready.end.trigger()
+    qtbot.waitUntil(lambda: session.running.lot is None, timeout=LONG_MS)
+    assert session.running.tally.count_all == FRUIT
+    assert ready.body.counts.accessibleDescription() == f"Unknown: {FRUIT}"
+    (lot,) = session.store.lots.find(LotQuery()).lots
+    assert (lot.lot.name, lot.fruit, lot.lot.ended_s is not None) == ("1184", FRUIT, True)
+    assert session.states()[Step.LOTS].state is State.DONE
+
+
+def test_a_paused_lot_lets_fruit_pass_uncounted(qtbot: QtBot, session: Session, ready: LivePage) -> None:
+    _start(qtbot, session, ready)
+    ready.pause.trigger()
+    qtbot.waitUntil(lambda: session.running.paused, timeout=LONG_MS)
+    assert ready.main_action is ready.resume
+    _run_to_the_end(qtbot, session)
+    state = session.running.state
+    assert state is not None
+    assert session.running.tally.count_all + state.totals.passed == FRUIT
+    assert state.totals.passed > 0
+
+
+def test_a_lot_that_was_left_open_is_taken_up_again(
+    qtbot: QtBot, session: Session, ready: LivePage, theme: Theme
+) -> None:
+    _start(qtbot, session, ready)
+    _run_to_the_end(qtbot, session)
+    session.running.close()
+    again = Session(session.workspace)
+    try:
+        again.running.find_open_lot()
+        page = LivePage(again, theme)
+        qtbot.addWidget(page)
+        again.start_sensors()
+        qtbot.waitUntil(lambda: again.connected.feed is not None and not again.tasks.running, timeout=LONG_MS)
+        assert page.main_action is page.take_up
+        page.take_up.trigger()
+        qtbot.waitUntil(lambda: again.running.running, timeout=LONG_MS)
+        assert again.running.tally.count_all >= FRUIT
+        _run_to_the_end(qtbot, again)
+        qtbot.waitUntil(lambda: again.running.tally.count_all == 2 * FRUIT, timeout=LONG_MS)
+    finally:
+        assert again.close()
+        again.deleteLater()
+
+
+def test_taking_the_sensors_away_stops_the_line_and_keeps_the_lot(
+    qtbot: QtBot, session: Session, ready: LivePage
+) -> None:
+    _start(qtbot, session, ready)
+    session.connected.stop()
+    qtbot.waitUntil(lambda: session.running.paused and not session.tasks.running, timeout=LONG_MS)
+    assert not session.running.running
+    assert session.running.lot is not None
+    assert ready.main_action is ready.take_up
