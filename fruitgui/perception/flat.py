@@ -2,8 +2,8 @@
 
 A reading errs by 1.4 mm · z², so nothing lower than 8 mm stands out of the belt at 1 m by depth alone (`limits`). What
 differs from the belt in colour is looked at once more: it is a thing if all its readings together lie above the belt
-just around it. A stain, a wet patch, a shadow differ in colour and do not rise. What touches something tall is left to
-depth: colours of fruit run over their edges.
+just around it. A stain, a wet patch, a shadow differ in colour and do not rise. What is in one patch with something
+tall, or mostly beside it, is left to depth: colours of fruit run over their edges.
 """
 
 from __future__ import annotations
@@ -37,7 +37,8 @@ SPREADS = 5.0
 """Or so many of the belt's own standard deviations, where these are larger."""
 
 SEEN_BY_DEPTH = 0.5
-"""What depth shows more of than this share of its colour, depth shows well enough."""
+"""A patch of which depth shows more than this share, or which lies so much within 25 mm of something tall, is left to
+depth."""
 
 RISES = 2.5
 """Standard deviations by which the mean of a flat thing's readings must lie above the belt around it."""
@@ -86,15 +87,15 @@ class FlatFinder:
             depth_mm: (height, width) of the whole picture.
             calm: see `colour.calm_picture`.
         """
-        standing, seen = self._cells(groups.standing_mm), self._cells(groups.labels) > 0
+        standing, labels = self._cells(groups.standing_mm), self._cells(groups.labels)
+        seen, tall = labels > 0, (standing > 0) & (standing < self._tall_mm)
         unlike = self._unlike(calm[::2, ::2], seen)
-        count, patches, stats, _ = cv2.connectedComponentsWithStats(
-            unlike.view(np.uint8), connectivity=8, ltype=cv2.CV_16U
-        )
+        marked = unlike.view(np.uint8)
+        count, patches, stats, _ = cv2.connectedComponentsWithStats(marked, connectivity=8, ltype=cv2.CV_16U)
         area = stats[:, cv2.CC_STAT_AREA]
-        covered = np.bincount(patches[seen], minlength=count)
-        tall = cv2.dilate(((standing > 0) & (standing < self._tall_mm)).view(np.uint8), _NEAR) > 0
-        covered[patches[tall]] = area.max()
+        fringe = seen | (cv2.dilate(tall.view(np.uint8), _NEAR) > 0)
+        covered = np.bincount(patches[fringe], minlength=count)
+        covered[patches[tall & seen]] = area.max()
         wanted = (area >= self._least_cells) & (covered < SEEN_BY_DEPTH * area)
         wanted[0] = False
         if not wanted.any():
@@ -103,7 +104,7 @@ class FlatFinder:
         patches = np.where(wanted[patches], patches, np.uint16(0))
         wanted = self._rises(patches, count, unlike | seen, self._cells(depth))
         things = [_outline(*self._fine(patches, number, stats[number])) for number in np.flatnonzero(wanted).tolist()]
-        return _with_flat(groups, things, depth) if things else groups
+        return _with_flat(groups, things, depth, np.unique(labels[tall & seen])) if things else groups
 
     def _cells(self, picture: NDArray[Any]) -> NDArray[Any]:
         rows, columns = self._shape
@@ -174,21 +175,24 @@ def _outline(mask: U8, corner: tuple[int, int]) -> Contour:
     return max(outlines, key=cv2.contourArea)
 
 
-def _with_flat(groups: Groups, things: list[Contour], depth: U16) -> Groups:
-    """Return the groups with flat things as the last of them; a group that meets one becomes part of it."""
-    rail = groups.labels == RAIL
+def _with_flat(groups: Groups, things: list[Contour], depth: U16, solid: U8) -> Groups:
+    """Return the groups with flat things as the last of them.
+
+    A group that meets one becomes part of it, but for rails and those whose labels are `solid`: these stay as they are.
+    """
+    spared = np.isin(np.arange(RAIL + 1), [RAIL, *solid.tolist()])[groups.labels]
     canvas = drawn(tuple(things), groups.labels.shape)
-    canvas[rail] = 0
+    canvas[spared] = 0
     swallowed = {int(number) - 1 for number in np.unique(groups.labels[canvas > 0]) if number}
     for number in swallowed:
         cv2.drawContours(canvas, groups.contours, number, 1, cv2.FILLED)
-    canvas[rail] = 0
+    canvas[spared] = 0
     outlines, _ = cv2.findContours(canvas, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     kept = [contour for number, contour in enumerate(groups.contours) if number not in swallowed]
     flat = [outline for outline in outlines if len(outline) >= 8][: MOST_GROUPS - len(kept)]
-    contours = (*kept, *flat)
-    labels, standing = drawn(contours, groups.labels.shape), groups.standing_mm.copy()
-    labels[rail] = RAIL
+    labels, standing = drawn((*kept, *flat), groups.labels.shape), groups.standing_mm.copy()
+    labels[groups.labels == RAIL] = RAIL
     cv2.copyTo(depth, canvas, standing)
+    contours = (*kept, *flat)
     boxes = tuple(cv2.boundingRect(contour) for contour in contours)
     return replace(groups, labels=labels, standing_mm=standing, contours=contours, boxes=boxes, flat=len(flat))

@@ -71,9 +71,11 @@ def test_bits_that_depth_shows_of_a_leaf_become_the_leaf() -> None:
     assert views[0].area_px > 600
 
 
-def test_fruit_are_the_same_with_a_leaf_beside_them() -> None:
+@pytest.mark.parametrize("nearer_m", [0.0, 0.02])
+def test_fruit_are_the_same_with_a_leaf_far_or_near_beside_them(nearer_m: float) -> None:
     table = Table((Ball(-0.1, MIDDLE_M, 0.035), Ball(0.12, MIDDLE_M + 0.05, 0.03)))
-    alone, beside = seen(table, table.frame()), seen(table, laid(table, 0.0, MIDDLE_M - 0.08, GREEN, 0.004))
+    leaf = laid(table, -0.03 - nearer_m, MIDDLE_M - 0.08, GREEN, 0.004)
+    alone, beside = seen(table, table.frame()), seen(table, leaf)
     assert len(alone) == 2
     assert len(beside) == 3
     for fruit in alone:
