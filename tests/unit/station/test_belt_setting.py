@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -27,6 +28,7 @@ from fruitgui.station.belt_setting import (
 )
 from fruitgui.station.fingerprint import calibration_fingerprint
 from fruitgui.station.station import Station, StationSensor
+from fruitgui.station.station_file import read_station, write_station
 
 CORNERS = np.array([[-0.5, -0.2], [0.6, -0.25], [0.55, 0.25], [-0.45, 0.2]])
 
@@ -75,6 +77,15 @@ def test_regions_of_sensors_are_taken_together(station: Station) -> None:
 def test_without_any_region_there_is_one_to_begin_with(station: Station) -> None:
     sensors = {name: StationSensor("", one.pose, Surface(one.surface.plane)) for name, one in station.sensors.items()}
     assert region_problem(region_of(Station("kinect_1", sensors))) == ""
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_calibration_is_the_same_after_it_was_written_and_read(seed: int, tmp_path: Path) -> None:
+    mounts = bare_belt(seed, "ring").rig().mounts
+    made = Station("kinect_1", {name: StationSensor("", one.pose, one.surface) for name, one in mounts.items()})
+    path = tmp_path / "station.json"
+    write_station(path, made)
+    assert calibration_fingerprint(read_station(path)) == calibration_fingerprint(made)
 
 
 @pytest.mark.parametrize("heading_deg", [0.0, 40.0, 179.0, -100.0])
