@@ -229,16 +229,23 @@ def test_a_source_that_cannot_be_opened_is_said_and_another_can_be_chosen(
 
 def test_the_keyboard_alone_does_everything(qtbot: QtBot, rigged: Session, page: ConnectPage) -> None:
     page.activateWindow()
+    qtbot.waitUntil(page.isActiveWindow)
     rows = page.chooser.rows
     rows[0].setFocus()
     qtbot.keyClick(rows[0], Qt.Key.Key_Down)
     assert rows[1].isChecked()
-    page.connect_action.trigger()  # Ctrl+Return of the action bar
+    qtbot.keyClick(page, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
     _running(qtbot, rigged, page)
     first = page.tiles.tiles[0]
     first.setFocus()
     qtbot.keyClick(first, Qt.Key.Key_Right)
     assert page.details.name.text() == "kinect_2"
+    qtbot.keyClick(page, Qt.Key.Key_Left, Qt.KeyboardModifier.ControlModifier)
+    qtbot.waitUntil(lambda: _names(page) == ["kinect_2", "kinect_1"])
+    wanted: list[object] = []
+    page.step_wanted.connect(wanted.append)
+    qtbot.keyClick(page, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    assert wanted == [Step.CALIBRATE]
 
 
 def test_everything_that_is_pressed_is_large_enough_for_a_glove(

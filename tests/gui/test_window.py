@@ -75,6 +75,21 @@ def test_the_action_bar_does_what_the_page_offers(qtbot: QtBot, window: MainWind
     assert not _buttons(window)[-1].isEnabled()
 
 
+def test_the_keys_of_what_is_offered_work_and_of_what_was_offered_do_not(qtbot: QtBot, window: MainWindow) -> None:
+    page, done = window.page(Step.CONNECT), []
+    first, second = QAction("Calibrate", page), QAction("Keep", page)
+    for action, name in ((first, "Calibrate"), (second, "Keep")):
+        action.setShortcut("Ctrl+Return")
+        action.triggered.connect(lambda _checked=False, name=name: done.append(name))
+    for action in (first, second, first):
+        page.offer(action)
+        qtbot.keyClick(window, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    assert done == ["Calibrate", "Keep", "Calibrate"]
+    window.go_to(Step.LOTS)
+    qtbot.keyClick(window, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
+    assert len(done) == 3, "the page is not in view"
+
+
 def test_a_standing_error_is_not_pushed_away_by_a_lesser_word(
     qtbot: QtBot, session: Session, window: MainWindow
 ) -> None:
