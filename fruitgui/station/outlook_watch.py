@@ -16,7 +16,7 @@ from fruitgui.station.stills import collect_stills
 
 CAPTURES = 3
 REST_S = 1.0
-REST_SHARE = 2.0
+REST_SHARE = 1.0
 """It rests at least so long, and so many times as long as it worked: the window and the sensors come first."""
 
 log = logging.getLogger(__name__)

@@ -98,7 +98,7 @@ def test_calibrating_shows_how_good_it_is_and_is_kept_only_when_told(
     assert page.result.isVisible()
     assert page.result.word.text() in ("Good", "Usable")
     assert [link.figure != "" for link in page.result.graph.links] == [True]
-    assert len(page.result.cloud.flat.layers) == 2
+    assert len(page.result.cloud.flat.clouds) == 2
     assert rigged.station is None, "nothing is kept before a person says so"
     assert page.main_action is page.keep_action
     page.keep_action.trigger()
@@ -193,7 +193,7 @@ def test_a_station_that_was_kept_is_shown_with_what_the_sensors_see_now(
     qtbot.addWidget(other)
     other.show()
     other.entered()
-    qtbot.waitUntil(lambda: len(other.result.cloud.flat.layers) == 2, timeout=LONG_MS)
+    qtbot.waitUntil(lambda: len(other.result.cloud.flat.clouds) == 2, timeout=LONG_MS)
     assert other.result.word.text() == page.result.word.text()
     assert not other.result.cloud.when[True].isVisible(), "there is no before"
     other.left()

@@ -21,12 +21,15 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from fruitgui.frame import F64
 from fruitgui.gui.steps.belt.projection import Projection, grid_lines
 from fruitgui.gui.theme.theme import Theme
-from fruitgui.gui.theme.tokens import RADIUS, TOUCH
+from fruitgui.gui.theme.tokens import DARK, RADIUS, TOUCH
 
 HANDLE_PX = 9.0
 STEP_M, FAR_STEP_M = 0.005, 0.05
 EDGE_POINTS = 24
 INK = QColor("#ffffff")
+LINE = QColor(DARK.accent)
+"""Pictures are dark in either theme."""
+
 GRID_INK = QColor(255, 255, 255, 70)
 OUTSIDE = QColor(0, 0, 0, 120)
 
@@ -216,7 +219,7 @@ class RegionCanvas(QWidget):
         for line in grid_lines(self._corners_m, self._axis_rad) if len(self._corners_m) else ():
             painter.drawPath(_path(view, to_screen, line, closed=False))
         painter.restore()
-        painter.setPen(QPen(self._theme.colour("accent"), 2.5))
+        painter.setPen(QPen(LINE, 2.5))
         painter.drawPath(outline)
         if self._arrow_m is not None:
             _paint_arrow(painter, *(self._on_screen(view, to_screen, one) for one in self._arrow_m))
@@ -227,10 +230,9 @@ class RegionCanvas(QWidget):
         return to_screen.map(QPointF(float(u), float(v)))
 
     def _paint_handles(self, painter: QPainter) -> None:
-        accent = self._theme.colour("accent")
         for number, spot in self._spots().items():
             chosen = number == self.corner
-            painter.setPen(QPen(accent if chosen else QColor("#14191d"), 3.0 if chosen else 2.0))
+            painter.setPen(QPen(LINE if chosen else QColor("#14191d"), 3.0 if chosen else 2.0))
             painter.setBrush(INK)
             radius = HANDLE_PX + (3.0 if chosen else 0.0)
             painter.drawEllipse(spot, radius, radius)

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
@@ -110,6 +111,7 @@ class SidePanel(QWidget):
         column.setSpacing(1 * GRID)
         for card in (self.motion, self.fruit):
             card.body.setSpacing(GRID // 2)
+            card.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
             column.addWidget(card)
         column.addWidget(self.switch)
         column.addStretch()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cache
 
 import numpy as np
 from PySide6.QtGui import QColor
@@ -20,6 +21,8 @@ DEEPEST_M, HIGHEST_M = -0.02, 0.12
 """Heights between which colours go from dark to bright."""
 
 MARGIN = 0.04
+REACH_M = 3.2
+"""Points are sorted by how near they are, within so much of the belt."""
 
 
 class Side(StrEnum):
@@ -85,29 +88,39 @@ def fitted(extent: Extent, side: Side, width: int, height: int) -> Fit:
 
 def layer(points_m: F32, rgb: U8, fit: Fit) -> U8:
     """Return a picture (height, width, 4) RGBA of points (N, 3) in their colours: the nearest to the eye win."""
+    nearness = points_m[:, 2] if fit.side is Side.TOP else -points_m[:, 1]
+    steps = np.clip((nearness + REACH_M) * (65535.0 / 2.0 / REACH_M), 0.0, 65535.0).astype(np.uint16)
+    order = np.argsort(steps, kind="stable")  # whole numbers of two bytes are sorted without comparing
+    pixels = np.floor(fit.pixels(points_m[order])).astype(np.int32)
+    inside = (pixels >= 0).all(axis=1) & (pixels[:, 0] < fit.width) & (pixels[:, 1] < fit.height)
+    u, v = pixels[inside].T
     picture = np.zeros((fit.height, fit.width, 4), np.uint8)
-    order = np.argsort(points_m[:, 2] if fit.side is Side.TOP else -points_m[:, 1], kind="stable")
-    pixels = np.floor(fit.pixels(points_m[order])).astype(np.intp)
-    rgb = rgb[order]
-    for du in (0, 1):
-        for dv in (0, 1):
-            u, v = pixels[:, 0] + du, pixels[:, 1] + dv
-            inside = (u >= 0) & (u < fit.width) & (v >= 0) & (v < fit.height)
-            picture[v[inside], u[inside], :3] = rgb[inside]
-            picture[v[inside], u[inside], 3] = 255
+    picture[v, u, :3] = rgb[order[inside]]
+    picture[v, u, 3] = 255
+    return _filled(picture)
+
+
+def _filled(picture: U8) -> U8:
+    """Let each point also take the empty pixels to its right and below: a point is two pixels wide."""
+    for shift in ((slice(None), slice(1, None)), (slice(1, None), slice(None))):
+        back = tuple(slice(None, -1) if one.start else slice(None) for one in shift)
+        empty = picture[shift][..., 3] == 0
+        picture[shift] = np.where(empty[..., None], picture[back], picture[shift])
     return picture
 
 
 def coloured(points_m: F32, number: int) -> U8:
     """Return a sensor's colour (N, 3) for points (N, 3): higher is brighter."""
-    return shaded(sensor_colour(number), (points_m[:, 2] - DEEPEST_M) / (HIGHEST_M - DEEPEST_M))
+    bright = (points_m[:, 2] - DEEPEST_M) * (255.0 / (HIGHEST_M - DEEPEST_M))
+    return np.asarray(shades(sensor_colour(number))[np.clip(bright, 0.0, 255.0).astype(np.uint8)])
 
 
-def shaded(colour: str, bright: F32) -> U8:
-    """Return a colour (N, 3), dark where `bright` (N,) is 0 or less, as it is at half, nearly white from 1 on."""
+@cache
+def shades(colour: str) -> U8:
+    """Return 256 shades (256, 3) of a colour: dark at first, as it is in the middle, nearly white at last."""
     named = QColor(colour)
     full = np.array([named.red(), named.green(), named.blue()], dtype=np.float64)
-    share = np.clip(bright, 0.0, 1.0)[:, None]
+    share = np.linspace(0.0, 1.0, 256)[:, None]
     low, high = full * (0.45 + 1.1 * share), full + (255.0 - full) * 0.75 * (2.0 * share - 1.0)
     return np.where(share < 0.5, low, high).astype(np.uint8)
 

@@ -24,7 +24,7 @@ RESIZED_MS = 80
 
 
 class FlatCloud(QWidget):
-    """Layers are made when clouds, side or size change; fading only mixes them anew."""
+    """Pictures are made when they are first wanted after clouds, side or size changed; fading only mixes them."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -33,8 +33,7 @@ class FlatCloud(QWidget):
         self._extent = extent_of(())
         self._side, self._after = Side.TOP, True
         self._at: float | None = None
-        self._layers: list[QImage] = []
-        self._together = QImage()
+        self._made: dict[int | None, QImage] = {}
         self._fit: Fit | None = None
         self._settled = QTimer(self, singleShot=True, interval=RESIZED_MS)
         self._settled.timeout.connect(self._render)
@@ -60,9 +59,9 @@ class FlatCloud(QWidget):
         self.update()
 
     @property
-    def layers(self) -> tuple[QImage, ...]:
-        """What is mixed."""
-        return tuple(self._layers)
+    def clouds(self) -> tuple[SensorCloud, ...]:
+        """What is shown."""
+        return self._clouds
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Return the size that it wants."""
@@ -82,32 +81,42 @@ class FlatCloud(QWidget):
             painter.setClipPath(clip)
             painter.fillRect(self.rect(), self._theme.colour("picture"))
             self._paint_points(painter)
-            if self._fit is not None and self._layers:
+            if self._fit is not None and self._clouds:
                 self._paint_bar(painter, self._fit)
 
     def _paint_points(self, painter: QPainter) -> None:
-        strengths = weights(len(self._layers), self._at)
-        if all(weight >= 1.0 for weight in strengths):
-            painter.drawImage(QRectF(self.rect()), self._together)
+        strengths = weights(len(self._clouds), self._at)
+        if self._fit is None or not self._clouds:
             return
-        for image, weight in zip(self._layers, strengths, strict=True):
-            painter.setOpacity(weight)
-            painter.drawImage(QRectF(self.rect()), image)
+        if all(weight >= 1.0 for weight in strengths):
+            painter.drawImage(QRectF(self.rect()), self._picture(None, self._fit))
+            return
+        for number, weight in enumerate(strengths):
+            if weight > 0.0:
+                painter.setOpacity(weight)
+                painter.drawImage(QRectF(self.rect()), self._picture(number, self._fit))
         painter.setOpacity(1.0)
 
     def _render(self) -> None:
+        """Forget the pictures, and make them as they are wanted."""
         if self.width() < 2 or self.height() < 2:
             return
         thin = min(1.0, MOST_PX / self.width())
         width, height = max(int(self.width() * thin), 1), max(int(self.height() * thin), 1)
         side = Side.TOP if self._side is Side.FREE else self._side
-        fit = fitted(self._extent, side, width, height)
-        points = [one.after_m if self._after else one.before_m for one in self._clouds]
-        colours = [coloured(one, number) for number, one in enumerate(points)]
-        self._layers = [_image(layer(one, rgb, fit)) for one, rgb in zip(points, colours, strict=True)]
-        self._together = _image(layer(np.concatenate(points), np.concatenate(colours), fit)) if points else QImage()
-        self._fit = fit
+        self._fit = fitted(self._extent, side, width, height)
+        self._made = {}
         self.update()
+
+    def _picture(self, number: int | None, fit: Fit) -> QImage:
+        """Return one sensor's picture, or that of all together."""
+        if number not in self._made:
+            chosen = range(len(self._clouds)) if number is None else (number,)
+            clouds = {one: self._clouds[one] for one in chosen}
+            points = {one: cloud.after_m if self._after else cloud.before_m for one, cloud in clouds.items()}
+            colours = [coloured(shown, one) for one, shown in points.items()]
+            self._made[number] = _image(layer(np.concatenate(list(points.values())), np.concatenate(colours), fit))
+        return self._made[number]
 
     def _paint_bar(self, painter: QPainter, fit: Fit) -> None:
         """Draw a bar of ten centimetres."""

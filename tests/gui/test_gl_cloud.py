@@ -1,0 +1,64 @@
+"""The cloud in three dimensions, on a screen of its own that has OpenGL; left out where there is no such screen."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+SCRIPT = """
+import sys
+import numpy as np
+from PySide6.QtWidgets import QApplication
+from fruitgui.gui.steps.calibrate.cloud_view import CloudView
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.station.fused_cloud import SensorCloud
+
+app = QApplication([])
+view = CloudView(Theme())
+if view.solid is None:
+    sys.exit(77)
+view.resize(640, 480)
+view.show()
+rng = np.random.default_rng(1)
+flat = np.hstack([rng.uniform(-0.4, 0.4, (4000, 2)), np.full((4000, 1), 0.02)]).astype(np.float32)
+clouds = [SensorCloud(name, flat, flat, np.zeros((4000, 3), np.uint8)) for name in ("a", "b")]
+view.show_clouds(clouds, compared=True)
+
+def lit():
+    app.processEvents()
+    image = view.solid.view.grabFramebuffer()
+    places = [(u, v) for u in range(0, image.width(), 3) for v in range(0, image.height(), 3)]
+    colours = [image.pixelColor(*place) for place in places]
+    return sum(one.red() > one.blue() + 40 for one in colours), sum(one.blue() > one.red() + 40 for one in colours)
+
+orange, blue = lit()
+assert orange + blue > 200, (orange, blue)
+view.fade.setValue(0)
+orange, blue = lit()
+assert orange > 100 and blue == 0, (orange, blue)
+view.fade.setValue(view.fade.maximum())
+orange, blue = lit()
+assert orange == 0 and blue > 100, (orange, blue)
+view.close()
+"""
+
+
+def test_points_are_seen_and_the_slider_fades_between_sensors(tmp_path: Path) -> None:
+    xvfb = shutil.which("xvfb-run")
+    if xvfb is None:
+        pytest.skip("no Xvfb here")
+    script = tmp_path / "look.py"
+    script.write_text(SCRIPT)
+    environment = {**os.environ, "QT_QPA_PLATFORM": "xcb", "LIBGL_ALWAYS_SOFTWARE": "1"}
+    done = subprocess.run(
+        [xvfb, "-a", "-s", "-screen 0 800x600x24", sys.executable, str(script)],
+        capture_output=True, text=True, env=environment, check=False, timeout=120,
+    )  # fmt: skip
+    if done.returncode == 77:
+        pytest.skip("no OpenGL here")
+    assert done.returncode == 0, done.stderr[-2000:]
