@@ -16,8 +16,10 @@ from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_source
 from fruitgui.gui.steps.connect.offers import SIMULATED
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.theme.theme import Theme
+from fruitgui.records.lot import LotPlan
 from fruitgui.simulation.scenes import still_scene
 from fruitgui.station.sources import Connected, Make, RecordedSource, Sources
+from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.workflow import State, Step
 from fruitgui.station.workspace import open_workspace
 
@@ -204,6 +206,25 @@ def test_a_silent_sensor_is_said_with_its_remedy(
     rig.sensors[1].silent.clear()
     qtbot.waitUntil(lambda: page.views()[1].condition.health == "good", timeout=10_000)
     assert page.calibrate_action.isEnabled()
+
+
+def test_while_a_lot_runs_no_sensor_is_changed(
+    qtbot: QtBot, rigged: Session, page: ConnectPage, rendered: FrozenSource
+) -> None:
+    _connect(qtbot, rigged, page)
+    mounts = still_scene(3, "opposed", 4, captures=2).rig().mounts
+    serials = {sensor.info.sensor: sensor.info.serial for sensor in rendered.sensors}
+    sensors = {name: StationSensor(serials[name], one.pose, one.surface) for name, one in mounts.items()}
+    rigged.save_station(Station("kinect_1", sensors))
+    rigged.start_lot(LotPlan("Lot 1"))
+    qtbot.waitUntil(lambda: rigged.running.running, timeout=20_000)
+    assert not page.change_action.isEnabled()
+    assert not page.details.name.isEnabled()
+    assert {name for name, button in page.details.buttons.items() if button.isEnabled()} == {"identify"}
+    assert "lot has ended" in page.hint
+    rigged.running.end_lot()
+    qtbot.waitUntil(lambda: not rigged.running.running, timeout=20_000)
+    assert page.change_action.isEnabled()
 
 
 class _Locked:

@@ -275,6 +275,10 @@
         <translation>Conecte primero los sensores.</translation>
     </message>
     <message>
+        <source>The line runs. Its sensors can be calibrated when the lot has ended.</source>
+        <translation>La línea está funcionando. Sus sensores se pueden calibrar cuando termine el lote.</translation>
+    </message>
+    <message>
         <source>Not all sensors give pictures; look after them on the screen “Connect”.</source>
         <translation>No todos los sensores entregan imágenes; revíselos en la pantalla “Conectar”.</translation>
     </message>

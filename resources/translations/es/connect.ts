@@ -199,6 +199,10 @@
         <translation>Los sensores están partiendo.</translation>
     </message>
     <message>
+        <source>The line runs. Sensors can be changed when its lot has ended.</source>
+        <translation>La línea está funcionando. Los sensores se pueden cambiar cuando termine su lote.</translation>
+    </message>
+    <message>
         <source>{running} of {count} sensors run. Look after the others, or leave them out.</source>
         <translation>Funcionan {running} de {count} sensores. Revise los demás, o déjelos fuera.</translation>
     </message>

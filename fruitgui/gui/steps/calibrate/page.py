@@ -92,6 +92,7 @@ class CalibratePage(StepPage):
         session.connected.health_changed.connect(self._show_actions)
         session.station_changed.connect(self._show)
         session.connection_changed.connect(self._show)
+        session.running.changed.connect(self._show_actions)
         self._look.timeout.connect(self._show_prospect)
         self.calibrate_action.triggered.connect(self._calibrate)
         self.keep_action.triggered.connect(self._keep)
@@ -204,14 +205,16 @@ class CalibratePage(StepPage):
             self.say(self._prepare_hint(ready))
 
     def _prepare_hint(self, ready: bool) -> str:
+        if self._session.running.running:
+            return self.tr("The line runs. Its sensors can be calibrated when the lot has ended.")
         if not ready:
             return self.tr("Not all sensors give pictures; look after them on the screen “Connect”.")
         return self.tr("Put fruit on the belt as in the picture, then press Calibrate. It takes some seconds.")
 
     def _ready(self) -> bool:
-        """Whether all of the connection's sensors give pictures."""
+        """Whether all of the connection's sensors give pictures, and no lot runs before them."""
         feed, connection = self._session.connected.feed, self._session.connection
-        if feed is None or connection is None:
+        if feed is None or connection is None or self._session.running.running:
             return False
         return all(one.name in feed.infos and feed.newest(one.name) is not None for one in connection.sensors)
 

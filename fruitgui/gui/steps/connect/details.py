@@ -61,8 +61,8 @@ class SensorDetails(Card):
         self._say_words()
         self._draw_icons()
 
-    def show_view(self, view: SensorView | None, others: tuple[str, ...]) -> None:
-        """Show a sensor; `others` are the other sensors' names."""
+    def show_view(self, view: SensorView | None, others: tuple[str, ...], *, fixed: bool = False) -> None:
+        """Show a sensor; `others` are the other sensors' names. Nothing can be changed while it is `fixed`."""
         changed = view is None or self._view is None or view.name != self._view.name
         self._view, self._others = view, others
         self.setEnabled(view is not None)
@@ -79,10 +79,11 @@ class SensorDetails(Card):
         set_health(self._facts["colour"], view.colour.health)
         self._lock_remedy.setText(view.colour.remedy)
         self._lock_remedy.setVisible(bool(view.colour.remedy))
-        self.buttons["reference"].setEnabled(not view.reference)
-        self.buttons["left"].setEnabled(view.place > 1)
-        self.buttons["right"].setEnabled(view.place <= len(others))
-        self.buttons["leave"].setEnabled(bool(others))
+        self.name.setEnabled(not fixed)
+        self.buttons["reference"].setEnabled(not view.reference and not fixed)
+        self.buttons["left"].setEnabled(view.place > 1 and not fixed)
+        self.buttons["right"].setEnabled(view.place <= len(others) and not fixed)
+        self.buttons["leave"].setEnabled(bool(others) and not fixed)
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, QTimer
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.chooser import SourceChooser
@@ -70,6 +70,8 @@ class ConnectPage(StepPage):
         column = QVBoxLayout(side)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
+        for card in (self.details, self.turns):
+            card.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         column.addWidget(self.details)
         column.addWidget(self.turns)
         column.addStretch()
@@ -96,6 +98,7 @@ class ConnectPage(StepPage):
         session.connected.changed.connect(self._show)
         session.connected.health_changed.connect(self._show)
         session.source.changed.connect(self._show)
+        session.running.changed.connect(self._show)
         session.source.opened.connect(self._opened)
         self.chooser.changed.connect(self._show_actions)
         self.chooser.file_wanted.connect(self._ask_for_file)
@@ -153,7 +156,8 @@ class ConnectPage(StepPage):
         self.tiles.show_feed(feed)
         self.tiles.show_views(views, self._chosen)
         chosen = next(view for view in views if view.name == self._chosen)
-        self.details.show_view(chosen, tuple(name for name in names if name != self._chosen))
+        others = tuple(name for name in names if name != self._chosen)
+        self.details.show_view(chosen, others, fixed=self._session.running.running)
         plan = plan_of(feed, self._session.station)
         self.turns.show_plan(plan, () if feed is None else feed.sensors)
 
@@ -167,7 +171,7 @@ class ConnectPage(StepPage):
             return
         running, count = summary(self.views())
         self.calibrate_action.setEnabled(running == count)
-        self.change_action.setEnabled(not opening)
+        self.change_action.setEnabled(not opening and not self._session.running.running)
         self.offer(self.calibrate_action, self.change_action)
         self.say(self._sensors_hint(running, count))
 
@@ -179,6 +183,8 @@ class ConnectPage(StepPage):
     def _sensors_hint(self, running: int, count: int) -> str:
         if self._session.source.opening:
             return self.tr("The sensors are being started.")
+        if self._session.running.running:
+            return self.tr("The line runs. Sensors can be changed when its lot has ended.")
         if running < count:
             text = self.tr("{running} of {count} sensors run. Look after the others, or leave them out.")
             return text.format(running=running, count=count)
