@@ -87,7 +87,7 @@ def test_a_station_of_an_earlier_version_is_shown_without_what_it_does_not_tell(
 
 @pytest.mark.parametrize("code", list(REMEDIES))
 def test_every_refusal_has_three_sentences_and_two_pictures(code: str) -> None:
-    one = told([reason(code, ("kinect_1", "kinect_2"), "")], [])[0]  # type: ignore[arg-type]
+    one = told([reason(code, ("kinect_1", "kinect_2"), "")], [], ())[0]  # type: ignore[arg-type]
     assert "kinect_1, kinect_2" in one.seen
     assert one.why
     assert one.remedy
@@ -97,8 +97,16 @@ def test_every_refusal_has_three_sentences_and_two_pictures(code: str) -> None:
 
 def test_what_was_seen_of_a_pair_is_said_in_figures() -> None:
     given = reason("too_little_structure", ("kinect_1", "kinect_2"), "")
-    assert "things in common 2, belt in common 80\u2009%" in told([given], [_pair(things=2)])[0].seen
-    assert len(told([given, given], [])) == 1
+    assert "things in common 2, belt in common 80\u2009%" in told([given], [_pair(things=2)], ())[0].seen
+    assert len(told([given, given], [], ())) == 1
+
+
+def test_a_sensor_without_a_belt_is_told_from_one_that_is_held_loosely() -> None:
+    given = reason("too_little_structure", ("kinect_2",), "")
+    beltless, loose = (told([given], [], with_belt)[0] for with_belt in ((), ("kinect_2",)))
+    assert "no flat surface" in beltless.seen
+    assert "too loosely" in loose.seen
+    assert beltless.remedy != loose.remedy
 
 
 def test_sketches_lie_on_the_belt() -> None:

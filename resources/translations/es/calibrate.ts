@@ -80,6 +80,22 @@
         <translation>Es poco. Ponga más fruta donde las vistas se traslapan.</translation>
     </message>
     <message>
+        <source>{sensor} sees no flat surface that could be the belt.</source>
+        <translation>{sensor} no ve ninguna superficie plana que pueda ser la cinta.</translation>
+    </message>
+    <message>
+        <source>What stands on a belt can only be told from it where the belt itself is seen.</source>
+        <translation>Lo que hay sobre una cinta solo se distingue de ella donde se ve la cinta misma.</translation>
+    </message>
+    <message>
+        <source>Turn the sensor so that the belt fills most of its picture, and nothing hides it.</source>
+        <translation>Gire el sensor para que la cinta llene casi toda su imagen y nada la tape.</translation>
+    </message>
+    <message>
+        <source>What {sensor} has in common with the others holds it too loosely.</source>
+        <translation>Lo que {sensor} tiene en común con los demás no lo fija lo suficiente.</translation>
+    </message>
+    <message>
         <source>{sensors}: things in common {things}, belt in common {overlap}.</source>
         <translation>{sensors}: cosas en común {things}, cinta en común {overlap}.</translation>
     </message>

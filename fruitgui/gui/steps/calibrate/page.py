@@ -157,7 +157,7 @@ class CalibratePage(StepPage):
         blamed = [one.sensors for one in outcome.reasons]
         nodes, links = graph_of(sensors, reference, outcome.sensors, outcome.pairs, blamed)
         if not outcome.accepted:
-            self.refused.show_reasons(told(outcome.reasons, outcome.pairs), nodes, links)
+            self.refused.show_reasons(told(outcome.reasons, outcome.pairs, outcome.sensors), nodes, links)
             return
         warnings = [in_words(text) for text in outcome.warnings]
         self.result.show_verdict(verdict_of(outcome), nodes, links, warnings)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication
@@ -28,15 +28,39 @@ class Told:
     remedy: str
 
 
-def told(reasons: Sequence[Reason], pairs: Sequence[PairQuality]) -> list[Told]:
-    """Return the reasons in words, each kind of reason once for the same sensors."""
+def told(reasons: Sequence[Reason], pairs: Sequence[PairQuality], with_belt: Collection[str]) -> list[Told]:
+    """Return the reasons in words, each kind of reason once for the same sensors.
+
+    Args:
+        reasons, pairs: of the refusal.
+        with_belt: the sensors whose belt was found.
+    """
     by_ends = {frozenset(pair.sensors): pair for pair in pairs}
     said: dict[tuple[str, tuple[str, ...]], Told] = {}
     for reason in reasons:
-        pair = by_ends.get(frozenset(reason.sensors))
-        one = Told(reason.code, _seen(reason, pair), _why(reason.code), _remedy(reason.code))
+        alone = reason.code == "too_little_structure" and len(reason.sensors) == 1
+        if alone:
+            one = _loose(reason.sensors[0]) if reason.sensors[0] in with_belt else _beltless(reason.sensors[0])
+        else:
+            pair = by_ends.get(frozenset(reason.sensors))
+            one = Told(reason.code, _seen(reason, pair), _why(reason.code), _remedy(reason.code))
         said.setdefault((reason.code, reason.sensors), one)
     return list(said.values())
+
+
+def _beltless(sensor: str) -> Told:
+    return Told(
+        "too_little_structure",
+        translate("Calibrate", "{sensor} sees no flat surface that could be the belt.").format(sensor=sensor),
+        translate("Calibrate", "What stands on a belt can only be told from it where the belt itself is seen."),
+        translate("Calibrate", "Turn the sensor so that the belt fills most of its picture, and nothing hides it."),
+    )
+
+
+def _loose(sensor: str) -> Told:
+    text = translate("Calibrate", "What {sensor} has in common with the others holds it too loosely.")
+    code = "too_little_structure"
+    return Told(code, text.format(sensor=sensor), _why(code), _remedy(code))
 
 
 def _seen(reason: Reason, pair: PairQuality | None) -> str:
