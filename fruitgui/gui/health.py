@@ -95,6 +95,8 @@ def sensors_pill(health: Mapping[str, SensorHealth]) -> Pill:
     text = QCoreApplication.translate("Health", "{well}/{all} sensors").format(well=len(well), all=len(health))
     if not missing:
         return Pill("sensors", "camera", text, "good")
+    if all(health[name].state is Running.STARTING for name in missing):
+        return Pill("sensors", "camera", text, "", QCoreApplication.translate("Health", "The sensors are starting."))
     tip = QCoreApplication.translate("Health", "No pictures from {sensors}; its part of the belt is not seen.")
     return Pill("sensors", "camera", text, "bad", tip.format(sensors=", ".join(missing)))
 

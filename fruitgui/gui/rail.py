@@ -31,7 +31,7 @@ class StepButton(QAbstractButton):
         self._state = StepState(State.TO_DO)
         self.setCheckable(True)
         self.setProperty("role", "step")
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)

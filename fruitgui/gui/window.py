@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
@@ -76,6 +77,7 @@ class MainWindow(QMainWindow):
         self._stack.setCurrentWidget(page)
         self.rail.show_step(step)
         self.action_bar.follow(page)
+        page.setFocus(Qt.FocusReason.OtherFocusReason)
         page.entered()
 
     def show_states(self, states: Mapping[Step, StepState]) -> None:

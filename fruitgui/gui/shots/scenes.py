@@ -6,5 +6,6 @@ from fruitgui.gui.shots.stage import Scene
 from fruitgui.gui.steps.belt.shots import SCENES as BELT
 from fruitgui.gui.steps.calibrate.shots import SCENES as CALIBRATE
 from fruitgui.gui.steps.connect.shots import SCENES as CONNECT
+from fruitgui.gui.steps.live.shots import SCENES as LIVE
 
-SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE, *BELT)
+SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE, *BELT, *LIVE)

@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es">
 <context>
+    <name>BeltView</name>
+    <message>
+        <source>The belt from above appears here while a lot runs.</source>
+        <translation>Aquí aparece la cinta vista desde arriba mientras corre un lote.</translation>
+    </message>
+</context>
+<context>
     <name>CountsView</name>
     <message>
         <source>All fruit</source>

@@ -42,6 +42,10 @@
         <translation>{well}/{all} sensores</translation>
     </message>
     <message>
+        <source>The sensors are starting.</source>
+        <translation>Los sensores están arrancando.</translation>
+    </message>
+    <message>
         <source>No pictures from {sensors}; its part of the belt is not seen.</source>
         <translation>Sin imágenes de {sensors}; su parte de la cinta no se ve.</translation>
     </message>

@@ -51,6 +51,11 @@ class BeltView(QWidget):
                 for fruit in belt.fruit:
                     self._paint_fruit(painter, fruit, to_screen)
                 self._paint_speed(painter, belt)
+            else:
+                painter.setFont(self._theme.font("small"))
+                painter.setPen(self._theme.colour("text_dim"))
+                text = self.tr("The belt from above appears here while a lot runs.")
+                painter.drawText(QRectF(self.rect()), Qt.AlignmentFlag.AlignCenter, text)
 
     def _fitted(self, belt: BeltMap) -> QTransform:
         """Return the way from metres to the screen that fits all footprints; y goes up on the screen."""

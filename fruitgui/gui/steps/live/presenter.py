@@ -34,7 +34,7 @@ def kind_name(kind: str) -> str:
     """Return a kind's name as people read it; a person's own words are left as they are."""
     if kind == UNKNOWN:
         return QCoreApplication.translate("Kinds", "Unknown")
-    return kind[:1].upper() + kind[1:]
+    return (kind[:1].upper() + kind[1:]).replace("_", " ")
 
 
 @dataclass(slots=True)
