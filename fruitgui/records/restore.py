@@ -125,14 +125,50 @@ def restore(
         WorldError: its databases are damaged or newer, or there is no room; nothing was changed.
         CancelledByUserError: a person stopped it; nothing was changed.
     """
+    backup = prepare_restore(folder, path, now_s, progress, cancelled)
+    return Restored(backup, finish_restore(folder))
+
+
+def prepare_restore(
+    folder: Path,
+    path: Path,
+    now_s: float,
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+) -> Backup:
+    """Check a backup and lay it ready; the next `open_store` puts it in place. The store may be open meanwhile.
+
+    See `restore` for what is given and raised. What was laid ready before is forgotten.
+    """
     with _cleaned_up(folder) as name:
         unpacked = Path(name) / "files"
         unpacked.mkdir()
         backup = _unpack(path, unpacked, progress, cancelled)
         aside = f"aside-{datetime.fromtimestamp(now_s):%Y-%m-%d-%H%M%S}"
         (Path(name) / "aside").write_text(aside, encoding="utf-8")
+        forget_restore(folder)
         Path(name).rename(folder / READY)
-    return Restored(backup, finish_restore(folder))
+    return backup
+
+
+def is_prepared(folder: Path) -> bool:
+    """Return whether the next `open_store` will put a backup in place."""
+    return (folder / READY).exists()
+
+
+def forget_restore(folder: Path) -> None:
+    """Leave everything as it is after all: what was laid ready is removed.
+
+    Raises:
+        WorldError: it cannot be removed.
+    """
+    if not is_prepared(folder):
+        return
+    try:
+        with _cleaned_up(folder) as name:
+            (folder / READY).rename(Path(name) / "files")  # at once: half of it must never be put in place
+    except OSError as error:
+        raise _cannot_unpack(folder, error) from error
 
 
 def finish_restore(folder: Path) -> Path | None:

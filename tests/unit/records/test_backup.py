@@ -16,7 +16,17 @@ from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.migrating import RECORDS
-from fruitgui.records.restore import READY, check_backup, contents, finish_restore, last_good_backup, restore
+from fruitgui.records.restore import (
+    READY,
+    check_backup,
+    contents,
+    finish_restore,
+    forget_restore,
+    is_prepared,
+    last_good_backup,
+    prepare_restore,
+    restore,
+)
 from fruitgui.records.store import open_store
 from tests.unit.station.fruit_made import made_crops, made_fruit
 
@@ -254,3 +264,35 @@ def test_a_copy_without_its_shared_memory_is_opened_as_after_a_power_cut(tmp_pat
             if not path.name.endswith("-shm"):
                 shutil.copy(path, copy)
     assert _count(copy) == 4
+
+
+def test_a_backup_is_laid_ready_while_the_store_is_open_and_put_in_place_at_the_next_start(tmp_path: Path) -> None:
+    folder = tmp_path / "line"
+    _work(folder, 10)
+    back_up(folder, tmp_path / "a.zip")
+    _work(folder, 3)
+    with open_store(folder) as store:
+        prepare_restore(folder, tmp_path / "a.zip", NOW_S)
+        assert is_prepared(folder)
+        (line,) = store.lots.find(LotQuery()).lots
+        assert line.fruit == 13, "nothing is touched while it is open"
+        store.commit(line.lot.key, made_fruit(99), ())
+    assert _count(folder) == 10
+    assert not is_prepared(folder)
+    (aside,) = folder.glob("aside-*")
+    assert _count(aside) == 14
+
+
+def test_a_restore_that_was_laid_ready_can_be_called_off(tmp_path: Path) -> None:
+    folder = tmp_path / "line"
+    _work(folder, 10)
+    back_up(folder, tmp_path / "a.zip")
+    _work(folder, 3)
+    before = _contents(folder)
+    for _ in range(2):
+        prepare_restore(folder, tmp_path / "a.zip", NOW_S)  # one that was ready before is replaced
+    forget_restore(folder)
+    forget_restore(folder)
+    assert not is_prepared(folder)
+    assert _contents(folder) == before
+    assert _count(folder) == 13
