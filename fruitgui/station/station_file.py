@@ -170,7 +170,19 @@ def read_station(path: Path) -> Station:
     Raises:
         InputError: unreadable, not JSON, another schema, or any field that cannot be; says which.
     """
-    value = read_json(path)
+    return station_of(read_json(path), path)
+
+
+def station_of(value: Any, path: Path) -> Station:  # noqa: ANN401 - JSON is any
+    """Return the station that a file's JSON value holds.
+
+    Args:
+        value: as JSON has it.
+        path: of the file, for messages.
+
+    Raises:
+        InputError: another schema, or any field that cannot be; says which.
+    """
     if not isinstance(value, dict) or value.get("schema") != SCHEMA:
         found = value.get("schema") if isinstance(value, dict) else None
         raise InputError(

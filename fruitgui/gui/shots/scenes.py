@@ -7,5 +7,6 @@ from fruitgui.gui.steps.belt.shots import SCENES as BELT
 from fruitgui.gui.steps.calibrate.shots import SCENES as CALIBRATE
 from fruitgui.gui.steps.connect.shots import SCENES as CONNECT
 from fruitgui.gui.steps.live.shots import SCENES as LIVE
+from fruitgui.gui.steps.lots.shots import SCENES as LOTS
 
-SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE, *BELT, *LIVE)
+SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE, *BELT, *LIVE, *LOTS)

@@ -1,4 +1,4 @@
-"""Volumes of fruit as a histogram, one curve of bars for each kind."""
+"""A measure of fruit as a histogram, stacked bars of each kind."""
 
 from __future__ import annotations
 
@@ -20,27 +20,32 @@ BOTTOM, TOP = 22.0, 16.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bars:
-    """One kind's fruit by volume: how many in each bin."""
+    """One kind's fruit by what is measured: how many in each bin."""
 
     mark: KindMark
     counts: Ints
 
 
 class HistogramView(QWidget):
-    """Paints stacked bars over one axis of volume."""
+    """Paints stacked bars over one axis.
+
+    Attributes:
+        empty: what is written where there is nothing to show; empty says that volumes will come.
+    """
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
         self._bars: tuple[Bars, ...] = ()
-        self._low, self._high = 0.0, 1.0
+        self.empty = ""
+        self._low, self._high, self._unit = 0.0, 1.0, "ml"
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumHeight(72)
         theme.changed.connect(self.update)
 
-    def show_bars(self, bars: Sequence[Bars], low_ml: float, high_ml: float) -> None:
-        """Show other counts; every kind has the same bins, from `low_ml` to `high_ml`."""
-        self._bars, self._low, self._high = tuple(bars), low_ml, high_ml
+    def show_bars(self, bars: Sequence[Bars], low: float, high: float, unit: str = "ml") -> None:
+        """Show other counts; every kind has the same bins, from `low` to `high` of the unit."""
+        self._bars, self._low, self._high, self._unit = tuple(bars), low, high, unit
         self.update()
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
@@ -59,7 +64,9 @@ class HistogramView(QWidget):
             else:
                 painter.setPen(self._theme.colour("text_dim"))
                 painter.drawText(
-                    plot, Qt.AlignmentFlag.AlignCenter, self.tr("The volumes of what was counted appear here.")
+                    plot,
+                    Qt.AlignmentFlag.AlignCenter,
+                    self.empty or self.tr("The volumes of what was counted appear here."),
                 )
             painter.setPen(self._theme.colour("line"))
             painter.drawLine(plot.bottomLeft(), plot.bottomRight())
@@ -81,10 +88,10 @@ class HistogramView(QWidget):
     def _paint_axis(self, painter: QPainter, plot: QRectF, most: int) -> None:
         painter.setPen(self._theme.colour("text_dim"))
         painter.drawText(QRectF(0, 0, self.width(), TOP), Qt.AlignmentFlag.AlignLeft, count_text(most))
-        for volume_ml in ticks(self._low, self._high):
-            x = plot.left() + plot.width() * (volume_ml - self._low) / (self._high - self._low)
-            last = volume_ml + 1e-9 >= ticks(self._low, self._high)[-1]
-            text = number_text(volume_ml, 0) + (f"{THIN}ml" if last else "")
+        marks = ticks(self._low, self._high)
+        for value in marks:
+            x = plot.left() + plot.width() * (value - self._low) / (self._high - self._low)
+            text = number_text(value, 0) + (f"{THIN}{self._unit}" if value == marks[-1] else "")
             painter.drawText(QRectF(x - 40, plot.bottom() + 3, 80, BOTTOM - 3), Qt.AlignmentFlag.AlignHCenter, text)
 
 

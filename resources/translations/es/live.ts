@@ -47,13 +47,6 @@
     </message>
 </context>
 <context>
-    <name>Kinds</name>
-    <message>
-        <source>Unknown</source>
-        <translation>Desconocida</translation>
-    </message>
-</context>
-<context>
     <name>LastFruitView</name>
     <message>
         <source>Each fruit appears here as it is counted.</source>

@@ -89,6 +89,13 @@
     </message>
 </context>
 <context>
+    <name>Kinds</name>
+    <message>
+        <source>Unknown</source>
+        <translation>Desconocida</translation>
+    </message>
+</context>
+<context>
     <name>Running</name>
     <message>
         <source>Counting the fruit still in view</source>

@@ -18,6 +18,7 @@ from fruitgui.gui.drawn import (
     LastFruit,
     MappedFruit,
 )
+from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import THIN, measured_text, number_text, percent_text
 from fruitgui.gui.steps.live.tally import Histogram, KindSum, Tally
 from fruitgui.gui.theme.kinds import KindMark, kind_marks
@@ -28,13 +29,6 @@ from fruitgui.station.report import ML_PER_M3
 from fruitgui.station.sink import CountedFruit
 
 ML_PER_L = 1e3
-
-
-def kind_name(kind: str) -> str:
-    """Return a kind's name as people read it; a person's own words are left as they are."""
-    if kind == UNKNOWN:
-        return QCoreApplication.translate("Kinds", "Unknown")
-    return (kind[:1].upper() + kind[1:]).replace("_", " ")
 
 
 @dataclass(slots=True)

@@ -1,0 +1,302 @@
+"""The table of a lot's fruit with what it is filtered by."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from PySide6.QtCore import QEvent, QModelIndex, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QFont, QFontMetricsF, QIcon, QImage, QPainter, QPainterPath, QResizeEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QHBoxLayout,
+    QHeaderView,
+    QStackedWidget,
+    QStyle,
+    QStyledItemDelegate,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from fruitgui.gui.kind_words import kind_name
+from fruitgui.gui.numbers import count_text
+from fruitgui.gui.steps.lots.fruit_model import FRUIT, PICTURE, FruitModel
+from fruitgui.gui.steps.lots.fruit_rows import COLUMNS, FALLS_FIRST, Column, Show, Wanted, correction_text, show_word
+from fruitgui.gui.steps.lots.paged_model import Index, visible_rows
+from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.cards import EmptyPlace, label
+from fruitgui.gui.widgets.kind_mark import mark_pixmap, paint_mark
+from fruitgui.records.fruit_record import FruitRecord
+
+ROW = 56
+WIDTHS = {
+    Column.PICTURE: 64, Column.NUMBER: 64, Column.SURE: 64, Column.VOLUME: 118, Column.MASS: 112, Column.DIAMETER: 118,
+    Column.LENGTH: 118, Column.VIEWS: 70,
+}  # fmt: skip
+KIND_WIDTH = 160
+FIRST_TO_GO = (Column.VIEWS, Column.LENGTH, Column.MASS)
+"""Columns that are hidden, in this order, where there is no room; a fruit that is opened shows them all."""
+
+
+class FruitDelegate(QStyledItemDelegate):
+    """Paints pictures and kinds; all else is text."""
+
+    def __init__(self, theme: Theme, view: QTableView) -> None:
+        super().__init__(view)
+        self._theme = theme
+        self.marks: Mapping[str, KindMark] = {}
+
+    def paint(self, painter: QPainter, option: Any, index: Index) -> None:  # noqa: ANN401 - its fields are not typed
+        """Draw a cell."""
+        column, fruit = COLUMNS[index.column()], index.data(FRUIT)
+        box = QRectF(option.rect)
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        if option.state & QStyle.StateFlag.State_Selected:
+            painter.fillRect(box, self._theme.colour("raised"))
+        if isinstance(fruit, FruitRecord):
+            if column is Column.PICTURE:
+                self._paint_picture(painter, index.data(PICTURE), box)
+                if option.state & QStyle.StateFlag.State_Selected:
+                    painter.fillRect(QRectF(box.left(), box.top(), 3, box.height()), self._theme.colour("accent"))
+            elif column is Column.KIND:
+                self._paint_kind(painter, fruit, box.adjusted(GRID / 2, GRID / 2, -GRID, -GRID / 2))
+            else:
+                self._paint_text(painter, str(index.data()), fruit, box.adjusted(0, 0, -GRID, 0))
+        painter.setPen(self._theme.colour("line"))
+        painter.drawLine(box.bottomLeft(), box.bottomRight())
+        painter.restore()
+
+    def _paint_picture(self, painter: QPainter, image: object, box: QRectF) -> None:
+        place = QRectF(0, 0, ROW - GRID, ROW - GRID)
+        place.moveCenter(box.center())
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self._theme.colour("picture"))
+        path = QPainterPath()
+        path.addRoundedRect(place, 6, 6)
+        painter.drawPath(path)
+        if isinstance(image, QImage):
+            side = min(image.width(), image.height())
+            middle = QRectF((image.width() - side) / 2, (image.height() - side) / 2, side, side)
+            painter.setClipPath(path)
+            painter.drawImage(place, image, middle)
+            painter.setClipping(False)
+
+    def _paint_kind(self, painter: QPainter, fruit: FruitRecord, box: QRectF) -> None:
+        side = 26.0
+        place = QRectF(box.left(), box.center().y() - side / 2, side, side)
+        paint_mark(painter, place, self.marks.get(fruit.kind, UNKNOWN_MARK))
+        words = box.adjusted(side + GRID, 0, 0, 0)
+        painter.setFont(self._theme.font("body", QFont.Weight.DemiBold))
+        painter.setPen(self._theme.colour("text" if fruit.counted else "text_dim"))
+        more = correction_text(fruit)
+        name = QFontMetricsF(painter.font()).elidedText(
+            kind_name(fruit.kind), Qt.TextElideMode.ElideRight, words.width()
+        )
+        if not more:
+            painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, name)
+            return
+        half = words.height() / 2
+        upper = QRectF(words.left(), words.top(), words.width(), half)
+        painter.drawText(upper, Qt.AlignmentFlag.AlignBottom, name)
+        painter.setFont(self._theme.font("small"))
+        painter.setPen(self._theme.colour("warn"))
+        more = QFontMetricsF(painter.font()).elidedText(more, Qt.TextElideMode.ElideRight, words.width())
+        painter.drawText(upper.translated(0, half), Qt.AlignmentFlag.AlignTop, more)
+
+    def _paint_text(self, painter: QPainter, text: str, fruit: FruitRecord, box: QRectF) -> None:
+        font = self._theme.font("body")
+        font.setStrikeOut(not fruit.counted)
+        painter.setFont(font)
+        painter.setPen(self._theme.colour("text" if fruit.counted else "text_dim"))
+        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, text)
+
+
+class FruitTable(QWidget):
+    """Filters over the table.
+
+    Attributes:
+        wanted_changed: other fruit are to be shown; see `wanted`.
+        opened: the number of a row that is to be shown large.
+        chosen_changed: other rows are chosen.
+    """
+
+    wanted_changed = Signal()
+    opened = Signal(int)
+    chosen_changed = Signal()
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._wanted = Wanted(0)
+        self.model = FruitModel()
+        self.view, self.show_box, self.kind_box = QTableView(), QComboBox(), QComboBox()
+        self.found = label("", "dim")
+        self._delegate = FruitDelegate(theme, self.view)
+        self._empty, self._stack = EmptyPlace(theme, "search"), QStackedWidget()
+        self._lay_out()
+        self._connect()
+        self._say_words()
+
+    @property
+    def wanted(self) -> Wanted:
+        """Which fruit are shown, in which order."""
+        return self._wanted
+
+    def show_lot(self, lot: int) -> None:
+        """Show another lot's fruit, filtered and sorted as before."""
+        self._want(Wanted(lot, self._wanted.show, None, self._wanted.column, self._wanted.falling))
+        self.kind_box.setCurrentIndex(0)
+
+    def show_kinds(self, kinds: Sequence[str], marks: Mapping[str, KindMark]) -> None:
+        """Offer these kinds to filter by, with these marks."""
+        self._delegate.marks = marks
+        self.view.viewport().update()
+        there = [self.kind_box.itemData(number) for number in range(1, self.kind_box.count())]
+        if there == list(kinds):
+            return
+        chosen = self.kind_box.currentData()
+        self.kind_box.blockSignals(True)
+        while self.kind_box.count() > 1:
+            self.kind_box.removeItem(1)
+        for kind in kinds:
+            self.kind_box.addItem(QIcon(mark_pixmap(marks[kind], 40)), kind_name(kind), kind)
+        self.kind_box.setCurrentIndex(max(self.kind_box.findData(chosen), 0))
+        self.kind_box.blockSignals(False)
+
+    def chosen(self) -> list[FruitRecord]:
+        """Return the fruit of the rows that are chosen."""
+        rows = sorted({index.row() for index in self.view.selectionModel().selectedRows()})
+        return [fruit for fruit in map(self.model.pages.row, rows) if fruit is not None]
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Hide columns that there is no room for, and fill what came into view."""
+        super().resizeEvent(event)
+        self._fit_columns()
+        self._look()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._say_words()
+        super().changeEvent(event)
+
+    def eventFilter(self, _watched: object, event: Any) -> bool:  # noqa: N802, ANN401 - Qt's name
+        """Open a fruit with the keyboard."""
+        if event.type() == QEvent.Type.KeyPress and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._open(self.view.currentIndex())
+            return True
+        return False
+
+    def _lay_out(self) -> None:
+        view = self.view
+        view.setModel(self.model)
+        view.setItemDelegate(self._delegate)
+        view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        view.setShowGrid(False)
+        view.setTabKeyNavigation(False)
+        view.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        view.verticalHeader().hide()
+        view.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        view.verticalHeader().setDefaultSectionSize(ROW)
+        head = view.horizontalHeader()
+        head.setMinimumHeight(44)
+        head.setHighlightSections(False)
+        head.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        head.setSectionResizeMode(COLUMNS.index(Column.KIND), QHeaderView.ResizeMode.Stretch)
+        for column, width in WIDTHS.items():
+            head.resizeSection(COLUMNS.index(column), width)
+        head.setSectionsClickable(True)
+        for show in Show:
+            self.show_box.addItem("", show)
+        self.kind_box.addItem("", None)
+        self.kind_box.setIconSize(QSize(20, 20))
+        for box in (self.show_box, self.kind_box):
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        bar = QHBoxLayout()
+        bar.setSpacing(GRID)
+        bar.addWidget(self.show_box)
+        bar.addWidget(self.kind_box)
+        bar.addStretch()
+        bar.addWidget(self.found)
+        self._stack.addWidget(view)
+        self._stack.addWidget(self._empty)
+        column_ = QVBoxLayout(self)
+        column_.setContentsMargins(0, 0, 0, 0)
+        column_.setSpacing(GRID)
+        column_.addLayout(bar)
+        column_.addWidget(self._stack, 1)
+
+    def _connect(self) -> None:
+        self.view.horizontalHeader().sectionClicked.connect(self._sort)
+        self.view.verticalScrollBar().valueChanged.connect(self._look)
+        self.view.doubleClicked.connect(self._open)
+        self.view.installEventFilter(self)
+        self.view.selectionModel().selectionChanged.connect(self.chosen_changed)
+        self.show_box.currentIndexChanged.connect(self._filter)
+        self.kind_box.currentIndexChanged.connect(self._filter)
+        self.model.taken.connect(self._taken)
+        self._theme.changed.connect(self.view.viewport().update)
+
+    def _say_words(self) -> None:
+        for number, show in enumerate(Show):
+            self.show_box.setItemText(number, show_word(show))
+        self.kind_box.setItemText(0, self.tr("All kinds"))
+        for number in range(1, self.kind_box.count()):
+            self.kind_box.setItemText(number, kind_name(self.kind_box.itemData(number)))
+        self.show_box.setAccessibleName(self.tr("Which fruit"))
+        self.show_box.setToolTip(self.tr("Which fruit are shown"))
+        self.kind_box.setAccessibleName(self.tr("Kind"))
+        self.kind_box.setToolTip(self.tr("Fruit of which kind are shown"))
+        self.view.setAccessibleName(self.tr("Fruit of the lot; Return opens one, keys 1 to 9 name it"))
+        self._empty.show_words(self.tr("No such fruit"), self.tr("Choose other fruit or another kind above."))
+        self._show_found()
+
+    def _fit_columns(self) -> None:
+        room = self.view.viewport().width() - KIND_WIDTH - sum(WIDTHS.values())
+        for column in FIRST_TO_GO:
+            hidden = room < 0
+            self.view.setColumnHidden(COLUMNS.index(column), hidden)
+            room += WIDTHS[column] if hidden else 0
+
+    def _sort(self, section: int) -> None:
+        column, now = COLUMNS[section], self._wanted
+        if column.order is not None:
+            falling = not now.falling if column is now.column else column in FALLS_FIRST
+            self._want(Wanted(now.lot, now.show, now.kind, column, falling))
+
+    def _filter(self) -> None:
+        now, show = self._wanted, Show(self.show_box.currentData())
+        self.kind_box.setEnabled(show is not Show.UNKNOWN)
+        self._want(Wanted(now.lot, show, self.kind_box.currentData(), now.column, now.falling))
+
+    def _want(self, wanted: Wanted) -> None:
+        if wanted != self._wanted:
+            self._wanted = wanted
+            self.model.show_order(wanted.column, falling=wanted.falling)
+            self.wanted_changed.emit()
+
+    def _open(self, index: QModelIndex) -> None:
+        if index.isValid():
+            self.opened.emit(index.row())
+
+    def _taken(self) -> None:
+        self._show_found()
+        if self.model.pages.found and not self.view.currentIndex().isValid():
+            self.view.setCurrentIndex(self.model.index(0, 0))
+        self._look()
+
+    def _show_found(self) -> None:
+        count = self.model.pages.found
+        self.found.setText(self.tr("{count} fruit").format(count=count_text(count)))
+        self._stack.setCurrentIndex(0 if count else 1)
+
+    def _look(self) -> None:
+        if self.model.pages.found:
+            self.model.look(*visible_rows(self.view))

@@ -1,0 +1,102 @@
+"""Corrections by hand, and taking them back; no widgets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from PySide6.QtCore import QCoreApplication
+
+from fruitgui.gui.kind_words import kind_name
+from fruitgui.gui.numbers import count_text
+from fruitgui.records.fruit_record import FruitRecord
+from fruitgui.records.store import Store
+
+translate = QCoreApplication.translate
+
+MOST_STEPS = 100
+
+
+class Deed(StrEnum):
+    """What a person says of fruit."""
+
+    NAME = "name"
+    LEAVE_OUT = "leave_out"
+    PUT_BACK = "put_back"
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """One thing said of some fruit.
+
+    Attributes:
+        deed: what. fruit: keys. kind: for `NAME`. note: in a person's words.
+    """
+
+    deed: Deed
+    fruit: tuple[int, ...]
+    kind: str = ""
+    note: str = ""
+
+    def say(self, store: Store) -> None:
+        """Keep it.
+
+        Raises:
+            InputError, WorldError: see `Corrections.name`.
+        """
+        if self.deed is Deed.NAME:
+            store.corrections.name(self.fruit, self.kind, note=self.note)
+        elif self.deed is Deed.LEAVE_OUT:
+            store.corrections.leave_out(self.fruit, note=self.note)
+        else:
+            store.corrections.put_back(self.fruit, note=self.note)
+
+    @property
+    def text(self) -> str:
+        """What was done, in a sentence."""
+        one = len(self.fruit) == 1
+        if self.deed is Deed.NAME:
+            text = (
+                translate("Lots", "1 fruit named {kind}.") if one else translate("Lots", "{count} fruit named {kind}.")
+            )
+        elif self.deed is Deed.LEAVE_OUT:
+            text = translate("Lots", "1 fruit left out.") if one else translate("Lots", "{count} fruit left out.")
+        else:
+            text = translate("Lots", "1 fruit put back.") if one else translate("Lots", "{count} fruit put back.")
+        return text.format(count=count_text(len(self.fruit)), kind=kind_name(self.kind))
+
+
+def undoing(word: Word, fruit: Sequence[FruitRecord]) -> list[Word]:
+    """Return what takes a word back; what people said stays in the history, the newest holds.
+
+    Args:
+        word: that is to be said.
+        fruit: as they are before it.
+    """
+    if word.deed is Deed.LEAVE_OUT:
+        keys = tuple(one.key for one in fruit if one.counted)
+        return [Word(Deed.PUT_BACK, keys)] if keys else []
+    if word.deed is Deed.PUT_BACK:
+        keys = tuple(one.key for one in fruit if not one.counted)
+        return [Word(Deed.LEAVE_OUT, keys)] if keys else []
+    kinds = dict.fromkeys(one.kind for one in fruit)
+    return [Word(Deed.NAME, tuple(one.key for one in fruit if one.kind == kind), kind) for kind in kinds]
+
+
+class Undo:
+    """What can be taken back, the newest first."""
+
+    def __init__(self) -> None:
+        self._steps: list[list[Word]] = []
+
+    def __len__(self) -> int:
+        return len(self._steps)
+
+    def add(self, step: list[Word]) -> None:
+        """Remember how to take something back."""
+        self._steps = [*self._steps[-MOST_STEPS + 1 :], step]
+
+    def take(self) -> list[Word]:
+        """Return the newest step and forget it; nothing where there is none."""
+        return self._steps.pop() if self._steps else []

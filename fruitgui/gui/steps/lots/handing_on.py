@@ -1,0 +1,91 @@
+"""A lot as a file for others: the report, and the table of its fruit."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QStandardPaths, QUrl
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from fruitgui.gui.messages import Messages
+from fruitgui.gui.steps.lots.report import write_report
+from fruitgui.gui.tasks import Job, TaskRunner
+from fruitgui.progress import Cancelled, Progress
+from fruitgui.records.lot import Lot
+from fruitgui.records.lot_csv import write_lot
+from fruitgui.records.store import Store
+
+
+class HandingOn(QObject):
+    """Asks where a file is to go, and writes it beside the window; a file that is there is asked about first."""
+
+    def __init__(self, store: Store, tasks: TaskRunner, messages: Messages, window: QWidget) -> None:
+        super().__init__(window)
+        self._store, self._tasks, self._messages, self._window = store, tasks, messages, window
+        self._folder = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
+        self.dialog: QFileDialog | None = None
+
+    def ask_report(self, lot: Lot, kinds: Sequence[str]) -> None:
+        """Ask where the report is to go; kinds are marked in this order."""
+        self._ask(
+            self.tr("Save the report"), self.tr("Report (*.pdf)"), lot, "pdf", partial(self.write_report, kinds=kinds)
+        )
+
+    def ask_table(self, lot: Lot) -> None:
+        """Ask where the table is to go."""
+        self._ask(self.tr("Save the table of fruit"), self.tr("Table (*.csv)"), lot, "csv", self.write_table)
+
+    def write_report(self, lot: Lot, path: Path, kinds: Sequence[str] = ()) -> None:
+        """Write the report."""
+
+        def job(progress: Progress, cancelled: Cancelled) -> None:
+            write_report(self._store, lot.key, path, time.time(), kinds, progress, cancelled)
+
+        self._run(self.tr("Report on lot {name}").format(name=lot.name), job, path)
+
+    def write_table(self, lot: Lot, path: Path) -> None:
+        """Write the table of fruit."""
+
+        def job(progress: Progress, cancelled: Cancelled) -> None:
+            write_lot(self._store, lot.key, path, progress, cancelled)
+
+        self._run(self.tr("Table of lot {name}").format(name=lot.name), job, path)
+
+    def _run(self, name: str, job: Job[None], path: Path) -> None:
+        task = self._tasks.run(name, job)
+        task.succeeded.connect(lambda _: self._written(path))
+        task.failed.connect(self._messages.error)
+
+    def _written(self, path: Path) -> None:
+        text = self.tr("{path} is written.").format(path=path)
+
+        def look() -> None:
+            QDesktopServices.openUrl(QUrl.fromLocalFile(str(path)))
+
+        self._messages.info(text, self.tr("Open"), look)
+
+    def _ask(self, title: str, kinds: str, lot: Lot, suffix: str, write: Callable[[Lot, Path], None]) -> None:
+        dialog = QFileDialog(self._window, title, self._folder, kinds)
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setDefaultSuffix(suffix)  # before the question whether a file may be replaced
+        word = self.tr("lot")
+        dialog.selectFile(f"{file_name(word, lot.name)}.{suffix}")
+        dialog.fileSelected.connect(lambda name: self._chosen(Path(name), lot, write))
+        dialog.finished.connect(dialog.deleteLater)
+        self.dialog = dialog
+        dialog.open()
+
+    def _chosen(self, path: Path, lot: Lot, write: Callable[[Lot, Path], None]) -> None:
+        self._folder = str(path.parent)
+        write(lot, path)
+
+
+def file_name(word: str, name: str) -> str:
+    """Return a name that every file system takes."""
+    plain = re.sub(r"[^\w.-]+", "-", name).strip("-.")
+    return f"{word}-{plain}" if plain else word

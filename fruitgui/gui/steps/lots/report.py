@@ -1,0 +1,286 @@
+"""The report on a lot that one hands to a grower: A4, sober, in the window's language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QCoreApplication, QRectF, Qt
+
+from fruitgui.files import written_whole
+from fruitgui.gui.kind_words import kind_name, kinds_in_order
+from fruitgui.gui.numbers import THIN, count_text, number_text
+from fruitgui.gui.steps.lots.figures import model_name, of_text, spans
+from fruitgui.gui.steps.lots.sheet import BODY, BODY_DIM, DIM, LINE, SECTION, SMALL, STRONG, TITLE, Sheet
+from fruitgui.gui.steps.lots.words import (
+    NONE,
+    SPREAD,
+    UNITS,
+    duration_text,
+    kilograms_text,
+    litres_text,
+    measure_name,
+    measure_text,
+    moment_text,
+)
+from fruitgui.gui.theme.kinds import UNKNOWN, KindMark, kind_marks
+from fruitgui.gui.widgets.histogram import ticks
+from fruitgui.gui.widgets.kind_mark import paint_mark
+from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+from fruitgui.records.distribution import Distribution
+from fruitgui.records.fruit_record import FruitRecord
+from fruitgui.records.fruit_search import FruitQuery
+from fruitgui.records.lot_report import LotReport, report_lot
+from fruitgui.records.store import Store
+
+translate = QCoreApplication.translate
+
+PLOT_PT, AXIS_PT = 110.0, 14.0
+COLUMNS_PT = (0.24, 0.09, 0.10, 0.18, 0.19, 0.20)
+"""Shares of the width that the columns of the table of kinds have."""
+
+LISTED_PT = (0.16, 0.2, 0.32, 0.32)
+"""The same of the list of corrected fruit."""
+
+MOST_LISTED = 60
+
+
+def write_report(
+    store: Store, lot: int, path: Path, now_s: float, kinds: Sequence[str] = (),
+    progress: Progress = no_progress, cancelled: Cancelled = never_cancelled,
+) -> None:  # fmt: skip
+    """Write the report on a lot as it is now, whole or not at all; kinds are marked in the order given.
+
+    Raises:
+        InputError: there is no such lot.
+        WorldError: it cannot be read or written.
+        CancelledByUserError: a person stopped it; no file is left.
+    """
+    progress(0.0, translate("LotReport", "Reading the lot"))
+    report = report_lot(store, lot, now_s)
+    unknown = store.fruit.find(FruitQuery(lot, kind=UNKNOWN, count=0)).found
+    corrected = store.fruit.find(FruitQuery(lot, which="corrected", count=MOST_LISTED)).fruit
+    marks = kind_marks(kinds_in_order(kinds, [one.kind for one in report.kinds]))
+    stop_if(cancelled)
+    progress(0.7, path.name)
+    with written_whole(path) as beside:
+        title = translate("LotReport", "Lot {name}").format(name=report.lot.name)
+        sheet = Sheet(beside, title, translate("LotReport", "Page {page}"))
+        try:
+            _write_head(sheet, report)
+            _write_sums(sheet, report, marks)
+            _write_spreads(sheet, report, marks)
+            _write_corrections(sheet, report, unknown, corrected)
+            _write_method(sheet, report)
+        finally:
+            sheet.close()
+    progress(1.0, path.name)
+
+
+def _write_head(sheet: Sheet, report: LotReport) -> None:
+    lot = report.lot
+    sheet.words(translate("LotReport", "Report on a lot of fruit"), SMALL)
+    sheet.words(translate("LotReport", "Lot {name}").format(name=lot.name), TITLE)
+    sheet.skip(6)
+    end = NONE if lot.ended_s is None else moment_text(lot.ended_s)
+    still_s = sum(span.to_s - span.from_s for span in spans(lot, report.made_s) if span.why)
+    rows = [
+        (translate("LotReport", "Grower"), lot.grower),
+        (translate("LotReport", "Recipe"), lot.recipe),
+        (translate("LotReport", "Started"), moment_text(lot.started_s)),
+        (translate("LotReport", "Ended"), end if lot.ended_s else translate("LotReport", "not ended yet")),
+        (translate("LotReport", "Ran"), duration_text(report.ran_s)),
+        (translate("LotReport", "Stood still"), duration_text(still_s) if still_s else ""),
+        (translate("LotReport", "Note"), lot.note),
+        (translate("LotReport", "Report made"), moment_text(report.made_s)),
+    ]
+    for name, text in rows:
+        if text:
+            sheet.text(QRectF(0, sheet.y, 90, 15), name, BODY_DIM)
+            sheet.text(QRectF(90, sheet.y, sheet.width - 90, 15), sheet.elided(text, BODY, sheet.width - 90), BODY)
+            sheet.skip(15)
+    sheet.skip(10)
+
+
+def _write_sums(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) -> None:
+    _section(sheet, translate("LotReport", "Counts and volumes"))
+    widths = [share * sheet.width for share in COLUMNS_PT]
+    heads = (
+        translate("LotReport", "Kind"), translate("LotReport", "Fruit"), translate("LotReport", "Share"),
+        translate("LotReport", "Mean volume"), translate("LotReport", "Total volume"),
+        translate("LotReport", "Total mass"),
+    )  # fmt: skip
+    sheet.row(heads, widths, SMALL)
+    for one in report.kinds:
+        sheet.line(0, sheet.width)
+        sheet.room(17)
+        mark = marks.get(one.kind)
+        if mark is not None:
+            painter, box = sheet.painter_at(QRectF(0, sheet.y + 2.5, 12, 12))
+            paint_mark(painter, box, mark)
+        texts = (
+            kind_name(one.kind), count_text(one.fruit), _share_text(one.fruit, report.fruit),
+            measure_text("volume_m3", one.mean_volume_m3), litres_text(one.volume_m3 if one.measured else None),
+            kilograms_text(one.mass_kg if one.weighed else None),
+        )  # fmt: skip
+        sheet.row((f"      {texts[0]}", *texts[1:]), widths)
+    sheet.line(0, sheet.width, DIM)
+    total = (
+        translate("LotReport", "All kinds"), count_text(report.fruit), "", "",
+        litres_text(report.volume_m3 if report.measured else None),
+        kilograms_text(report.mass_kg if report.weighed else None),
+    )  # fmt: skip
+    sheet.row(total, widths, STRONG)
+    for what, some in (
+        (translate("LotReport", "Volumes are sums {of}."), report.measured),
+        (translate("LotReport", "Masses are sums {of}, of known density."), report.weighed),
+    ):
+        of = of_text(some, report.fruit)
+        if of:
+            sheet.words(what.format(of=of), SMALL)
+    sheet.skip(12)
+
+
+def _share_text(some: int, all_of: int) -> str:
+    return f"{number_text(100 * some / max(all_of, 1), 1)}{THIN}%"
+
+
+def _write_spreads(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) -> None:
+    measured = [one for one in SPREAD if report.spread[one].edges.size]
+    if not measured:
+        return
+    width = (sheet.width - 24) / 2
+    sheet.room(24 + PLOT_PT + AXIS_PT + 34)
+    _section(sheet, translate("LotReport", "How the fruit are spread"))
+    for number, one in enumerate(measured):
+        if number % 2 == 0:
+            sheet.room(PLOT_PT + AXIS_PT + 30)
+        x = (number % 2) * (width + 24)
+        _paint_spread(sheet, report.spread[one], marks, QRectF(x, sheet.y, width, PLOT_PT + AXIS_PT + 16))
+        if number % 2 or number == len(measured) - 1:
+            sheet.skip(PLOT_PT + AXIS_PT + 28)
+    _write_legend(sheet, report, marks)
+
+
+def _write_legend(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) -> None:
+    x = 0.0
+    sheet.room(16)
+    for one in report.kinds:
+        name = kind_name(one.kind)
+        width = 16 + sheet.width_of(name, SMALL) + 14
+        if x + width > sheet.width:
+            x = 0.0
+            sheet.skip(15)
+            sheet.room(16)
+        painter, box = sheet.painter_at(QRectF(x, sheet.y, 11, 11))
+        paint_mark(painter, box, marks[one.kind])
+        sheet.text(QRectF(x + 15, sheet.y, width, 12), name, SMALL, Qt.AlignmentFlag.AlignVCenter)
+        x += width
+    sheet.skip(26)
+
+
+def _paint_spread(sheet: Sheet, spread: Distribution, marks: Mapping[str, KindMark], box: QRectF) -> None:
+    factor, unit = UNITS[spread.measured]
+    low, high = spread.edges[0] * factor, spread.edges[-1] * factor
+    kinds = [kind for kind in marks if kind in spread.counts]
+    most = int(np.sum([spread.counts[kind] for kind in kinds], axis=0).max(initial=1))
+    sheet.text(QRectF(box.left(), box.top(), box.width(), 12), f"{measure_name(spread.measured)}, {unit}", STRONG)
+    sheet.text(QRectF(box.left(), box.top(), box.width(), 12), count_text(most), SMALL, Qt.AlignmentFlag.AlignRight)
+    plot = QRectF(box.left(), box.top() + 16, box.width(), PLOT_PT)
+    bins = len(spread.edges) - 1
+    floor = np.full(bins, plot.bottom())
+    width = plot.width() / bins
+    for kind in kinds:
+        for at in np.flatnonzero(spread.counts[kind]).tolist():
+            height = plot.height() * int(spread.counts[kind][at]) / most
+            floor[at] -= height
+            bar = QRectF(plot.left() + at * width + 0.25, floor[at], max(width - 0.5, 0.5), height)
+            sheet.bar(bar, marks[kind].colour)
+    sheet.bar(QRectF(plot.left(), plot.bottom(), plot.width(), 0.6), LINE)
+    for value in ticks(low, high):
+        x = plot.left() + plot.width() * (value - low) / (high - low)
+        sheet.text(QRectF(x - 30, plot.bottom() + 2, 60, AXIS_PT), number_text(value, 0), SMALL,
+                   Qt.AlignmentFlag.AlignHCenter)  # fmt: skip
+
+
+def _write_corrections(sheet: Sheet, report: LotReport, unknown: int, corrected: Sequence[FruitRecord]) -> None:
+    _section(sheet, translate("LotReport", "Corrected by hand"))
+    if report.corrected:
+        renamed = report.corrected - report.left_out
+        text = translate(
+            "LotReport",
+            "Of {all} fruit, people corrected {count}: they left out {left_out} and gave {named} another kind, or "
+            "added it. The figures above hold what people said; what the machine said is kept beside it.",
+        )
+        text = text.format(
+            all=count_text(report.fruit + report.left_out), count=count_text(report.corrected),
+            left_out=count_text(report.left_out), named=count_text(renamed),
+        )  # fmt: skip
+    else:
+        text = translate("LotReport", "Nobody corrected anything; all figures are the machine's.")
+    sheet.words(text)
+    if unknown:
+        text = translate(
+            "LotReport", "{count} fruit are of no kind that the machine was taught; they count as unknown."
+        )
+        sheet.words(text.format(count=count_text(unknown)))
+    _list_corrected(sheet, report, corrected)
+    sheet.skip(12)
+
+
+def _list_corrected(sheet: Sheet, report: LotReport, corrected: Sequence[FruitRecord]) -> None:
+    """Write a row for each fruit that people corrected, as many as a report is read for."""
+    if not corrected:
+        return
+    sheet.skip(4)
+    widths = [share * sheet.width for share in LISTED_PT]
+    heads = (
+        translate("LotReport", "Fruit No."),
+        translate("LotReport", "Volume"),
+        translate("LotReport", "The machine said"),
+        translate("LotReport", "A person said"),
+    )
+    sheet.row(heads, widths, SMALL, 14)
+    for one in corrected:
+        machine = translate("LotReport", "not seen") if one.machine_kind is None else kind_name(one.machine_kind)
+        person = kind_name(one.kind) if one.counted else translate("LotReport", "left out")
+        sheet.room(15)
+        sheet.line(0, sheet.width)
+        volume = measure_text("volume_m3", one.volume_m3)
+        sheet.row((count_text(one.number), volume, machine, person), widths, BODY, 15)
+    more = report.corrected - len(corrected)
+    if more > 0:
+        text = translate("LotReport", "And {count} more; the table of all fruit (CSV) has every one.")
+        sheet.words(text.format(count=count_text(more)), SMALL)
+
+
+def _write_method(sheet: Sheet, report: LotReport) -> None:
+    sheet.room(110)
+    _section(sheet, translate("LotReport", "How it was measured"))
+    sheet.words(
+        translate(
+            "LotReport",
+            "Every fruit was followed over the belt by sensors that see colour and depth, counted once, and measured "
+            "from all views together: a closed surface through what was seen gives volume, length and diameter. "
+            "Nothing was weighed; a mass is the volume times the density of its kind, where that is known.",
+        )
+    )
+    sheet.words(
+        translate(
+            "LotReport",
+            "± is half the width of a 95 % interval. That of totals and means adds the errors of single fruit as if no "
+            "two shared one. What all fruit of a lot share, such as the scale of the sensors' placement or the "
+            "correction of a kind, is not in it.",
+        )
+    )
+    lot = report.lot
+    if lot.model or lot.reference_sensor:
+        text = translate("LotReport", "Kinds by model {model}; frame of reference: sensor {sensor}.")
+        sheet.words(text.format(model=model_name(lot.model) or NONE, sensor=lot.reference_sensor or NONE), SMALL)
+
+
+def _section(sheet: Sheet, title: str) -> None:
+    sheet.room(40)
+    sheet.words(title, SECTION)
+    sheet.skip(2)

@@ -1,0 +1,247 @@
+"""The summary of a lot: figures, times, kinds, and how sizes are spread."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
+
+from fruitgui.gui.numbers import count_text
+from fruitgui.gui.steps.lots.figures import (
+    KindRow,
+    LotFigures,
+    Span,
+    corrected_text,
+    kind_rows,
+    of_text,
+    rate_text,
+    spans,
+    times_text,
+)
+from fruitgui.gui.steps.lots.spreads import Spreads
+from fruitgui.gui.steps.lots.words import clock_text, duration_text, kilograms_text, litres_text
+from fruitgui.gui.theme.kinds import KindMark
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.cards import Card, label
+from fruitgui.gui.widgets.kind_mark import paint_mark
+from fruitgui.records.distribution import Distribution
+
+ROW, HEAD = 34, 26
+FIGURE_WIDTH, NAME_WIDTH = 128, 130
+TIMES_HEIGHT, BAND = 36, 12
+SPREADS_HEIGHT = 250
+
+
+class KindTable(QWidget):
+    """One row for each kind: how many, mean and total volume, mass."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._rows: Sequence[KindRow] = ()
+        self._marks: Mapping[str, KindMark] = {}
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        theme.changed.connect(self.update)
+
+    def show_rows(self, rows: Sequence[KindRow], marks: Mapping[str, KindMark]) -> None:
+        """Show other sums."""
+        self._rows, self._marks = rows, marks
+        self.setAccessibleName("; ".join(", ".join((row.name, row.fruit, row.mean, row.volume)) for row in rows))
+        self.updateGeometry()
+        self.update()
+
+    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """Return the size that it wants."""
+        return QSize(NAME_WIDTH + 4 * FIGURE_WIDTH, HEAD + ROW * max(len(self._rows), 1))
+
+    def minimumSizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """Return the least size."""
+        return QSize(NAME_WIDTH + 3 * FIGURE_WIDTH, self.sizeHint().height())
+
+    def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
+        """Draw it."""
+        with QPainter(self) as painter:
+            painter.setFont(self._theme.font("small"))
+            painter.setPen(self._theme.colour("text_dim"))
+            heads = (self.tr("Fruit"), self.tr("Mean volume"), self.tr("Total volume"), self.tr("Total mass"))
+            self._write(painter, QRectF(0, 0, self.width(), HEAD), heads)
+            painter.drawText(QRectF(0, 0, NAME_WIDTH, HEAD), Qt.AlignmentFlag.AlignVCenter, self.tr("Kind"))
+            for number, row in enumerate(self._rows):
+                self._paint_row(painter, row, QRectF(0, HEAD + number * ROW, self.width(), ROW))
+
+    def _paint_row(self, painter: QPainter, row: KindRow, box: QRectF) -> None:
+        theme = self._theme
+        painter.setPen(theme.colour("line"))
+        painter.drawLine(box.topLeft(), box.topRight())
+        side = 22.0
+        mark = self._marks.get(row.kind)
+        if mark is not None:
+            paint_mark(painter, QRectF(box.left(), box.center().y() - side / 2, side, side), mark)
+        painter.setPen(theme.colour("text"))
+        painter.setFont(theme.font("body", QFont.Weight.DemiBold))
+        width = box.width() - len(self._columns()) * FIGURE_WIDTH + 44 - side - GRID
+        name = QFontMetricsF(painter.font()).elidedText(row.name, Qt.TextElideMode.ElideRight, width)
+        painter.drawText(box.adjusted(side + GRID, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, name)
+        painter.setFont(theme.font("body"))
+        self._write(painter, box, (row.fruit, row.mean, row.volume, row.mass))
+
+    def _columns(self) -> tuple[int, ...]:
+        """Return which columns there is room for: mass is the first to go."""
+        return (0, 1, 2, 3) if self.width() >= self.sizeHint().width() else (0, 1, 2)
+
+    def _write(self, painter: QPainter, box: QRectF, texts: Sequence[str]) -> None:
+        right = box.right()
+        for column in reversed(self._columns()):
+            place = QRectF(right - FIGURE_WIDTH, box.top(), FIGURE_WIDTH, box.height())
+            painter.drawText(place, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, texts[column])
+            right -= FIGURE_WIDTH
+
+
+class Times(QWidget):
+    """A lot's time from left to right: bars where it ran, gaps where it stood still."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._spans: Sequence[Span] = ()
+        self.setFixedHeight(TIMES_HEIGHT)
+        theme.changed.connect(self.update)
+
+    def show_spans(self, parts: Sequence[Span]) -> None:
+        """Show another lot's time."""
+        if list(parts) != list(self._spans):
+            self._spans = parts
+            words = "\n".join(span.words for span in parts)
+            self.setToolTip(words)
+            self.setAccessibleName(words)
+            self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
+        """Draw it."""
+        if not self._spans:
+            return
+        first_s, last_s = self._spans[0].from_s, self._spans[-1].to_s
+        scale = self.width() / max(last_s - first_s, 1e-9)
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setFont(self._theme.font("small"))
+            for span in self._spans:
+                box = QRectF((span.from_s - first_s) * scale, 0, max((span.to_s - span.from_s) * scale, 2.0), BAND)
+                self._paint_span(painter, span, box)
+            painter.setPen(self._theme.colour("text_dim"))
+            below = QRectF(0, BAND + 2, self.width(), TIMES_HEIGHT - BAND - 2)
+            painter.drawText(below, Qt.AlignmentFlag.AlignLeft, clock_text(first_s))
+            painter.drawText(below, Qt.AlignmentFlag.AlignRight, clock_text(last_s))
+
+    def _paint_span(self, painter: QPainter, span: Span, box: QRectF) -> None:
+        colour = self._theme.colour("text_dim" if span.why else "accent")
+        if span.why:
+            painter.setPen(colour)
+            painter.drawLine(QPointF(box.left() + 2, box.center().y()), QPointF(box.right() - 2, box.center().y()))
+            text = duration_text(span.to_s - span.from_s)
+            room = box.adjusted(0, BAND + 2, 0, TIMES_HEIGHT - BAND)
+            if (
+                QFontMetricsF(painter.font()).horizontalAdvance(text) < box.width()
+                and 50 < box.left() < self.width() - 110
+            ):
+                painter.drawText(room, Qt.AlignmentFlag.AlignHCenter, text)
+        else:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(colour)
+            painter.drawRoundedRect(box, 3, 3)
+
+
+class Figure(QWidget):
+    """One figure with what it is, and a few words on it."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.what, self.value, self.more = label("", "small"), label("", "title"), label("", "small")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        for one in (self.what, self.value, self.more):
+            column.addWidget(one)
+
+    def show_words(self, what: str, value: str, more: str) -> None:
+        """Show another figure."""
+        self.what.setText(what)
+        self.value.setText(value)
+        self.more.setText(more)
+
+
+class Summary(QScrollArea):
+    """All of a lot at a glance; on a small screen the spread of sizes is further down."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._figures: LotFigures | None = None
+        self._marks: Mapping[str, KindMark] = {}
+        self.kinds, self.times, self.spreads = KindTable(theme), Times(theme), Spreads(theme)
+        self.fruit, self.volume, self.mass = Figure(), Figure(), Figure()
+        self.when, self.note = label("", "small"), label("", "small")
+        for one in (self.when, self.note):
+            one.setWordWrap(True)
+        figures = QHBoxLayout()
+        figures.setSpacing(4 * GRID)
+        for figure in (self.fruit, self.volume, self.mass):
+            figures.addWidget(figure)
+        figures.addStretch()
+        top, bottom = Card(), Card()
+        top.body.addLayout(figures)
+        top.body.addWidget(self.times)
+        top.body.addWidget(self.when)
+        top.body.addWidget(self.kinds)
+        bottom.body.addWidget(self.spreads, 1)
+        bottom.body.addWidget(self.note)
+        bottom.setMinimumHeight(SPREADS_HEIGHT)
+        inside = QWidget()
+        inside.setProperty("role", "scrolled")
+        self.setWidget(inside)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        column = QVBoxLayout(inside)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(GRID)
+        column.addWidget(top)
+        column.addWidget(bottom, 1)
+
+    def show_figures(self, figures: LotFigures, marks: Mapping[str, KindMark]) -> None:
+        """Show another lot, or the same at another moment."""
+        self._figures, self._marks = figures, marks
+        self.kinds.show_rows(kind_rows(figures), marks)
+        self.times.show_spans(spans(figures.lot, figures.now_s))
+        self._say_words()
+
+    def show_spread(self, spread: Distribution) -> None:
+        """Show how a measure is spread."""
+        self.spreads.show_spread(spread, self._marks)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange and self._figures is not None:
+            self.show_figures(self._figures, self._marks)
+        super().changeEvent(event)
+
+    def _say_words(self) -> None:
+        figures = self._figures
+        if figures is None:
+            return
+        self.fruit.show_words(self.tr("Fruit"), count_text(figures.fruit), rate_text(figures))
+        self.volume.show_words(
+            self.tr("Total volume"), litres_text(figures.volume_m3), of_text(figures.measured, figures.fruit)
+        )
+        self.mass.show_words(
+            self.tr("Total mass"), kilograms_text(figures.mass_kg),
+            of_text(figures.weighed, figures.fruit) if figures.weighed else self.tr("no density is known"),
+        )  # fmt: skip
+        self.when.setText(f"{times_text(figures.lot, figures.now_s)} · {corrected_text(figures)}")
+        note = self.tr(
+            "± is half the width of a 95 % interval. That of sums and means holds what fruit do not share: errors that "
+            "all have in common (the rig's scale, a kind's correction) are not in it."
+        )
+        self.note.setText(note)

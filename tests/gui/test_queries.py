@@ -1,0 +1,76 @@
+"""Questions are asked beside the window, the newest of each name is answered, changes are never lost."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from fruitgui.errors import FruitguiError, WorldError
+from fruitgui.gui.queries import Queries
+
+
+@pytest.fixture
+def queries(qapp: object) -> Queries:  # noqa: ARG001 - timers need an application
+    return Queries()
+
+
+def test_an_answer_comes_on_the_windows_thread_the_question_is_asked_on_another(qtbot: QtBot, queries: Queries) -> None:
+    threads: list[threading.Thread] = []
+
+    def question() -> int:
+        threads.append(threading.current_thread())
+        return 7
+
+    def answer(found: int) -> None:
+        threads.append(threading.current_thread())
+        assert found == 7
+
+    queries.ask("a", question, answer)
+    qtbot.waitUntil(lambda: len(threads) == 2)
+    assert threads[0] is not threading.main_thread()
+    assert threads[1] is threading.main_thread()
+    qtbot.waitUntil(lambda: not queries.busy)
+
+
+def test_of_questions_under_one_name_only_the_newest_is_answered(qtbot: QtBot, queries: Queries) -> None:
+    gate, answers, asked = threading.Event(), [], []
+    queries.ask("list", lambda: gate.wait(5), lambda _: answers.append("first"))
+    for number in range(5):
+        queries.ask("list", lambda number=number: asked.append(number), lambda _, number=number: answers.append(number))
+    queries.ask("other", lambda: None, lambda _: answers.append("other"))
+    gate.set()
+    qtbot.waitUntil(lambda: not queries.busy)
+    assert answers == [4, "other"]
+    assert asked == [4], "questions that wait are not even asked when a newer one comes"
+
+
+def test_changes_are_all_made_even_when_the_questions_are_forgotten(qtbot: QtBot, queries: Queries) -> None:
+    gate, done, answers = threading.Event(), [], []
+    queries.ask("list", lambda: gate.wait(5), lambda _: answers.append("list"))
+    for number in range(3):
+        queries.change(lambda number=number: done.append(number), lambda _: None)
+    queries.rest()
+    gate.set()
+    qtbot.waitUntil(lambda: not queries.busy)
+    assert (done, answers) == ([0, 1, 2], [])
+
+
+def test_what_fails_is_told_and_the_next_is_asked(qtbot: QtBot, queries: Queries) -> None:
+    told: list[FruitguiError] = []
+    answers: list[int] = []
+    queries.failed.connect(told.append)
+
+    def full() -> int:
+        raise WorldError("disk_full", "The disk is full.", "Make room.")
+
+    def mistaken() -> int:
+        raise ZeroDivisionError
+
+    queries.ask("a", full, answers.append)
+    queries.ask("b", mistaken, answers.append)
+    queries.ask("c", lambda: 3, answers.append)
+    qtbot.waitUntil(lambda: answers == [3])
+    assert [error.code for error in told] == ["disk_full", "unexpected"]
+    qtbot.waitUntil(lambda: not queries.busy)
