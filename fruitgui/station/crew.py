@@ -8,7 +8,7 @@ import os
 import time
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from multiprocessing.connection import Connection
 from multiprocessing.shared_memory import SharedMemory
 from types import TracebackType
@@ -17,6 +17,7 @@ from typing import Self
 from fruitgui.frame import Frame, Intrinsics
 from fruitgui.geometry.plane import Surface
 from fruitgui.perception.perceiver import Perceiver
+from fruitgui.perception.settings import PerceptionSettings
 from fruitgui.perception.view import Observation
 from fruitgui.progress import deaf_children
 from fruitgui.sensors.frame_memory import BYTES_PER_PIXEL, frame_maps, lay
@@ -35,15 +36,16 @@ LEAVE_S = 5.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Eye:
-    """What a perceiver is made from: a sensor's station id, its camera, and the belt as it sees it."""
+    """What a perceiver is made from: a sensor's station id, its camera, the belt as it sees it, and its limits."""
 
     sensor: str
     intrinsics: Intrinsics
     surface: Surface
+    settings: PerceptionSettings = field(default_factory=PerceptionSettings)
 
     def perceiver(self) -> Perceiver:
         """Return the perceiver."""
-        return Perceiver(self.sensor, self.intrinsics, self.surface)
+        return Perceiver(self.sensor, self.intrinsics, self.surface, self.settings)
 
 
 @dataclass(slots=True, eq=False)

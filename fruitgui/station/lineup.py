@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fruitgui.geometry.rig import Rig
+from fruitgui.perception.settings import PerceptionSettings
 from fruitgui.sensors.depth_correction import DepthCorrection
 from fruitgui.sensors.sensor import SensorInfo
 from fruitgui.station.crew import Eye
 from fruitgui.station.matching import match_sensors
 from fruitgui.station.station import Station
+
+TALLER = 1.3
+"""So many times the tallest fruit expected is still looked at: fruit stand up, ride on others, and grow."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -32,6 +36,18 @@ class Lineup:
     eyes: Mapping[str, Eye]
     rig: Rig
     warnings: tuple[str, ...]
+
+
+def limits_of(station: Station) -> PerceptionSettings:
+    """Return inside which limits something on a station's belt is looked at as fruit.
+
+    What is smaller than the shortest fruit is seen all the same, as far as it usually is: whatever crosses is counted.
+    """
+    usual = PerceptionSettings()
+    if station.fruit_heights_m is None:
+        return usual
+    shortest_m, tallest_m = station.fruit_heights_m
+    return replace(usual, smallest_m=min(shortest_m, usual.smallest_m), tallest_m=TALLER * tallest_m)
 
 
 def unheard(given_s: Iterable[str], sensors: Iterable[str]) -> list[str]:
@@ -69,7 +85,10 @@ def line_up(station: Station, sensors: Iterable[SensorInfo], given_s: Mapping[st
             for sensor, name in names.items()
             if (correction := station.sensors[name].depth_correction) is not None
         },
-        eyes={sensor: Eye(name, infos[sensor].intrinsics, rig.mounts[name].surface) for sensor, name in names.items()},
+        eyes={
+            sensor: Eye(name, infos[sensor].intrinsics, rig.mounts[name].surface, limits_of(station))
+            for sensor, name in names.items()
+        },
         rig=rig,
         warnings=(*matching.warnings, *unheard(given, [*infos, *station.sensors])),
     )

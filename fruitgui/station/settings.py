@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field, FiniteFloat
+from pydantic import Field
 
 from fruitgui.station.written import Written
-
-Metres = Annotated[FiniteFloat, Field(gt=0.0, le=1.0)]
 
 
 class Settings(Written):
@@ -19,12 +17,9 @@ class Settings(Written):
         theme: of the window.
         crops_kept_days: pictures of fruit older than this are deleted; 0 keeps all.
         least_free_mb: recording and keeping pictures stop before the disk has less room than this.
-        shortest_fruit_m, tallest_fruit_m: heights above the belt that are expected.
     """
 
     language: Literal["", "en", "es"] = ""
     theme: Literal["system", "light", "dark"] = "system"
     crops_kept_days: Annotated[int, Field(ge=0, le=36_500)] = 90
     least_free_mb: Annotated[int, Field(ge=0, le=10_000_000)] = 2_000
-    shortest_fruit_m: Metres = 0.015
-    tallest_fruit_m: Metres = 0.15

@@ -42,12 +42,14 @@ class Station:
         sensors: by id.
         velocity_m_s: (3,) of the belt in the reference frame; None where the tracks are to tell it.
         model: file name of the model, relative to the station's file; None where untrained.
+        fruit_heights_m: of the shortest and the tallest fruit expected on the belt; None for what is usual.
     """
 
     reference: str
     sensors: Mapping[str, StationSensor]
     velocity_m_s: F64 | None = None
     model: str | None = None
+    fruit_heights_m: tuple[float, float] | None = None
 
     def rig(self, intrinsics: Mapping[str, Intrinsics]) -> Rig:
         """Return the rig of those sensors whose intrinsics are given; the reference keeps its name.

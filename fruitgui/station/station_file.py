@@ -37,6 +37,7 @@ Vector = Annotated[list[Metres], Field(min_length=3, max_length=3)]
 Speed = Annotated[FiniteFloat, Field(ge=-FASTEST_M_S, le=FASTEST_M_S)]
 Velocity = Annotated[list[Speed], Field(min_length=3, max_length=3)]
 Offset = Annotated[FiniteFloat, Field(ge=-LONGEST_OFFSET_S, le=LONGEST_OFFSET_S)]
+Heights = Annotated[list[Annotated[FiniteFloat, Field(gt=0.0, le=1.0)]], Field(min_length=2, max_length=2)]
 UnitRow = Annotated[list[FiniteFloat], Field(min_length=3, max_length=3)]
 Matrix3 = Annotated[list[UnitRow], Field(min_length=3, max_length=3)]
 CovarianceRow = Annotated[list[FiniteFloat], Field(min_length=6, max_length=6)]
@@ -138,6 +139,17 @@ class BeltPart(_Part):
     """The belt as the file has it."""
 
     velocity_m_s: Velocity | None = None
+    fruit_heights_m: Heights | None = None
+
+    @model_validator(mode="after")
+    def _check(self) -> BeltPart:
+        if self.fruit_heights_m is not None and not self.fruit_heights_m[0] < self.fruit_heights_m[1]:
+            raise ValueError("the shortest fruit is not shorter than the tallest")
+        return self
+
+    def heights(self) -> tuple[float, float] | None:
+        """Return the shortest and the tallest fruit's height, m."""
+        return None if self.fruit_heights_m is None else (self.fruit_heights_m[0], self.fruit_heights_m[1])
 
 
 class StationPart(_Part):
@@ -195,7 +207,7 @@ def station_of(value: Any, path: Path) -> Station:  # noqa: ANN401 - JSON is any
         raise _bad_station(path, error) from error
     sensors = {name: sensor.sensor() for name, sensor in part.sensors.items()}
     velocity = None if part.belt.velocity_m_s is None else np.array(part.belt.velocity_m_s, dtype=np.float64)
-    return Station(part.reference_sensor, sensors, velocity, part.model)
+    return Station(part.reference_sensor, sensors, velocity, part.model, part.belt.heights())
 
 
 def _bad_station(path: Path, error: ValidationError) -> InputError:
@@ -220,9 +232,16 @@ def station_value(station: Station) -> dict[str, Any]:
         "schema": SCHEMA,
         "reference_sensor": station.reference,
         "sensors": {name: _sensor_value(sensor) for name, sensor in station.sensors.items()},
-        "belt": {"velocity_m_s": _list(station.velocity_m_s)},
+        "belt": _belt_value(station),
         "model": station.model,
     }
+
+
+def _belt_value(station: Station) -> dict[str, Any]:
+    value: dict[str, Any] = {"velocity_m_s": _list(station.velocity_m_s)}
+    if station.fruit_heights_m is not None:
+        value["fruit_heights_m"] = list(station.fruit_heights_m)
+    return value
 
 
 def _sensor_value(sensor: StationSensor) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,6 @@ from fruitgui.gui.steps.belt.projection import Through, above, grid_lines, plan_
 from fruitgui.simulation.device import KINECT_COLOR
 from fruitgui.simulation.scenes import bare_belt
 from fruitgui.station.belt_setting import PlanMotion, motion_of, region_of, with_region
-from fruitgui.station.settings import Settings
 from fruitgui.station.station import Station, StationSensor
 
 CORNERS = np.array([[-0.5, -0.25], [0.5, -0.25], [0.5, 0.25], [-0.5, 0.25]])
@@ -25,7 +25,7 @@ def station() -> Station:
 
 
 def test_a_corner_is_moved_and_that_can_be_undone(station: Station) -> None:
-    draft = draft_of(station, Settings())
+    draft = draft_of(station)
     corner = int(np.argmax(draft.corners_m.sum(axis=1)))
     changed = moved(draft, corner, np.array([0.6, 0.3]))
     assert changed.corners_m[corner] == pytest.approx([0.6, 0.3])
@@ -34,7 +34,7 @@ def test_a_corner_is_moved_and_that_can_be_undone(station: Station) -> None:
 
 
 def test_what_would_be_no_region_is_not_taken(station: Station) -> None:
-    draft = draft_of(station, Settings())
+    draft = draft_of(station)
     beyond_the_far_side = (draft.corners_m[1] + draft.corners_m[2]) * 0.7
     assert moved(draft, 0, beyond_the_far_side) is draft
     three = removed(draft, 0)
@@ -43,7 +43,7 @@ def test_what_would_be_no_region_is_not_taken(station: Station) -> None:
 
 
 def test_corners_come_between_two(station: Station) -> None:
-    draft = draft_of(station, Settings())
+    draft = draft_of(station)
     more = added(draft, 3)
     assert len(more.corners_m) == 5
     assert more.corners_m[4] == pytest.approx((draft.corners_m[3] + draft.corners_m[0]) / 2)
@@ -51,25 +51,24 @@ def test_corners_come_between_two(station: Station) -> None:
 
 @pytest.mark.parametrize("heading_deg", [3.0, -20.0, 170.0, -175.0])
 def test_a_measured_motion_is_told_as_a_way_and_a_small_turn(station: Station, heading_deg: float) -> None:
-    draft = with_measured(draft_of(station, Settings()), PlanMotion(0.2, math.radians(heading_deg)))
+    draft = with_measured(draft_of(station), PlanMotion(0.2, math.radians(heading_deg)))
     assert abs(math.degrees(draft.turned_rad)) <= 90.0
     assert draft.backwards == (abs(heading_deg) > 90)
     kept = motion_of(saved_in(draft, station))
     assert kept is not None
     assert math.cos(kept.heading_rad - math.radians(heading_deg)) == pytest.approx(1.0)
-    again = draft_of(saved_in(draft, station), Settings())
+    again = draft_of(saved_in(draft, station))
     assert (again.fixed, again.backwards) == (True, draft.backwards)
     assert again.speed_m_s == pytest.approx(0.2)
 
 
 def test_a_motion_that_is_not_fixed_is_left_to_the_runs(station: Station) -> None:
-    assert saved_in(draft_of(station, Settings()), station).velocity_m_s is None
+    assert saved_in(draft_of(station), station).velocity_m_s is None
 
 
 def test_heights_that_contradict_each_other_are_a_problem(station: Station) -> None:
-    settings = Settings(shortest_fruit_m=0.1, tallest_fruit_m=0.05)
-    assert draft_of(station, settings).problem == "heights"
-    assert draft_of(station, Settings()).problem == ""
+    assert replace(draft_of(station), shortest_m=0.1, tallest_m=0.05).problem == "heights"
+    assert draft_of(station).problem == ""
 
 
 def test_from_above_the_heading_lies_to_the_right_and_all_is_in_sight() -> None:
@@ -102,7 +101,7 @@ def test_what_the_core_says_while_it_measures_is_known_here() -> None:
 
 
 def test_the_region_on_the_screen_is_the_one_that_is_saved(station: Station) -> None:
-    draft = moved(draft_of(station, Settings()), 0, draft_of(station, Settings()).corners_m[0] * 1.1)
+    draft = moved(draft_of(station), 0, draft_of(station).corners_m[0] * 1.1)
     assert sorted(map(tuple, np.round(region_of(saved_in(draft, station)), 4))) == sorted(
         map(tuple, np.round(draft.corners_m, 4))
     )

@@ -189,13 +189,14 @@ def test_what_is_typed_is_not_called_measured(rigged: Session, running: BeltPage
     assert kept.speed_m_s == pytest.approx(0.2)
 
 
-def test_heights_are_kept_in_the_settings_and_must_not_contradict(rigged: Session, running: BeltPage) -> None:
+def test_heights_are_kept_in_the_station_and_must_not_contradict(rigged: Session, running: BeltPage) -> None:
     running.side.tallest.show_value(12.0)
     assert not running.save_action.isEnabled()
     assert "taller" in running.hint
     running.side.tallest.show_value(90.0)
     running.save_action.trigger()
-    assert rigged.settings.tallest_fruit_m == pytest.approx(0.09)
+    assert rigged.station is not None
+    assert rigged.station.fruit_heights_m == pytest.approx((0.025, 0.09))
 
 
 def test_leaving_saves_and_the_message_takes_it_back(qtbot: QtBot, rigged: Session, running: BeltPage) -> None:

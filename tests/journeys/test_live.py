@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from fruitgui.sensors.feed import Feed
-from fruitgui.simulation.show import Show, Showing
+from fruitgui.simulation.show import Showing
 from fruitgui.simulation.supply import LineOptions, crossed
 from fruitgui.station.belt_job import measure_belt
 from fruitgui.station.calibrate_job import calibrate_stills
@@ -22,7 +22,6 @@ from fruitgui.station.live import FLAT_OUT, LiveLine, Phase
 from fruitgui.station.model import read_model
 from fruitgui.station.record_job import record_feed
 from fruitgui.station.run_job import RunOptions, run_recording
-from fruitgui.station.scene_meter import Verdict, look_at_scene
 from fruitgui.station.source import RecordingSource
 from fruitgui.station.sources import Connected, RecordedSource, SimulatedSource
 from fruitgui.station.station import Station
@@ -149,17 +148,3 @@ def test_a_recording_ends_before_the_disk_is_full(tmp_path: Path) -> None:
         recorded = record_feed(feed, path, 60.0, 10**18)
     assert "nearly full" in recorded.warnings[0]
     assert path.exists()
-
-
-def test_the_scene_is_judged_before_calibrating() -> None:
-    show = Show(replace(OPTIONS, fruit=None))
-
-    def seen(showing: Showing) -> dict[str, Verdict]:
-        show.showing = showing
-        frames = [show.frame() for _ in range(6)]
-        view = look_at_scene({name: [one for one in frames if one.sensor == name] for name in show.place.sensors})
-        assert len(view.pairs) == 1
-        return {**{name: one.verdict for name, one in view.sensors.items()}, "pair": view.pairs[0].verdict}
-
-    assert set(seen(Showing.EMPTY).values()) == {Verdict.FEW_THINGS}
-    assert set(seen(Showing.STILL).values()) <= {Verdict.ENOUGH, Verdict.MORE_WOULD_HELP}

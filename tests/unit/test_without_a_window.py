@@ -17,7 +17,8 @@ class NoQt:
 sys.meta_path.insert(0, NoQt())
 import fruitgui
 for module in pkgutil.walk_packages(fruitgui.__path__, "fruitgui."):
-    if not (module.name + ".").startswith("fruitgui.gui.") and not module.name.endswith("__main__"):
+    parts = module.name.split(".")
+    if "gui" not in parts and "migrations" not in parts and parts[-1] != "__main__":
         importlib.import_module(module.name)
 from fruitgui.cli import main
 sys.exit(main(["--version"]))

@@ -17,10 +17,12 @@ from fruitgui.station.belt_setting import (
     with_motion,
     with_region,
 )
-from fruitgui.station.settings import Settings
 from fruitgui.station.station import Station
 
 USUAL_M_S = 0.1
+
+USUAL_HEIGHTS_M = (0.025, 0.15)
+"""From a small plum to a melon on its end."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,9 +68,10 @@ class Draft:
         return region_problem(self.corners_m) or ("heights" if self.shortest_m >= self.tallest_m else "")
 
 
-def draft_of(station: Station, settings: Settings) -> Draft:
+def draft_of(station: Station) -> Draft:
     """Return a draft of what is saved."""
     corners_m = region_of(station)
+    shortest_m, tallest_m = station.fruit_heights_m or USUAL_HEIGHTS_M
     draft = Draft(
         corners_m=corners_m,
         axis_rad=long_axis_rad(corners_m),
@@ -76,8 +79,8 @@ def draft_of(station: Station, settings: Settings) -> Draft:
         speed_m_s=USUAL_M_S,
         backwards=False,
         turned_rad=0.0,
-        shortest_m=settings.shortest_fruit_m,
-        tallest_m=settings.tallest_fruit_m,
+        shortest_m=shortest_m,
+        tallest_m=tallest_m,
     )
     motion = motion_of(station)
     return draft if motion is None else with_measured(draft, motion)
@@ -127,4 +130,5 @@ def _changed(draft: Draft, corners_m: F64) -> Draft:
 
 def saved_in(draft: Draft, station: Station) -> Station:
     """Return the station with what the draft says of the belt."""
-    return with_motion(with_region(station, draft.corners_m), draft.motion)
+    whole = with_motion(with_region(station, draft.corners_m), draft.motion)
+    return replace(whole, fruit_heights_m=(draft.shortest_m, draft.tallest_m))

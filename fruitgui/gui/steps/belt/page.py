@@ -156,7 +156,7 @@ class BeltPage(StepPage):
         """Begin with what is saved."""
         station = self._session.station
         self._station, self._spread_m_s, self._changed = station, None, False
-        self._draft = None if station is None else draft_of(station, self._session.settings)
+        self._draft = None if station is None else draft_of(station)
         self._stack.setCurrentIndex(0 if station is None else 1)
         if station is not None:
             self._shown = self._shown if self._shown in station.sensors else ABOVE
@@ -315,12 +315,8 @@ class BeltPage(StepPage):
         if draft is None or station is None or draft.problem:
             return
         session, before, marks = self._session, station, self._session.marks
-        settings = session.settings
-        heights = {"shortest_fruit_m": draft.shortest_m, "tallest_fruit_m": draft.tallest_m}
         spread = self._spread_m_s
         self._changed = False
-        if settings.model_copy(update=heights) != settings:
-            session.save_settings(settings.model_copy(update=heights))
         session.save_station(saved_in(draft, station))
         session.save_marks(marks.model_copy(update={"belt_calibration": calibration_fingerprint(station)}))
         self._spread_m_s = spread
@@ -329,7 +325,6 @@ class BeltPage(StepPage):
         def take_back() -> None:
             session.save_station(before)
             session.save_marks(marks)
-            session.save_settings(settings)
 
         text = self.tr("The belt is saved.")
         session.messages.say(Message(Level.GOOD, text, action=self.tr("Undo"), act=take_back))
