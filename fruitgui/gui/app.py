@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QDialog
 from fruitgui.gui.gc_confinement import ConfinedCollector
 from fruitgui.gui.health import HealthWatch
 from fruitgui.gui.help_window import HelpWindow
+from fruitgui.gui.housekeeping import Housekeeping
 from fruitgui.gui.logs import Logs
 from fruitgui.gui.pages import make_pages
 from fruitgui.gui.session import Session
@@ -48,6 +49,7 @@ class Application(QObject):
             self.theme, self.session.messages, self.session.tasks, make_pages(self.session, self.theme), self._close
         )
         self._health = HealthWatch(self.session, self.window.top_bar, self)
+        self._housekeeping = Housekeeping(self.session, self)
         self._connect()
 
     def start(self) -> None:
@@ -55,6 +57,7 @@ class Application(QObject):
         self._logs.open(lambda error: self.session.messages.error(unexpected_error(self.tr("the window"), error)))
         self._collector.start()
         self._health.start()
+        self._housekeeping.start()
         self._show_states()
         self.window.go_to(opening_step(self.session.states()))
         self.window.show()
@@ -65,6 +68,7 @@ class Application(QObject):
 
     def _close(self) -> bool:
         """End all that runs; it was saved as it came."""
+        self._housekeeping.stop()
         self.session.close()
         self._collector.stop()
         self._logs.close()
