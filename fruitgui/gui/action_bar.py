@@ -41,7 +41,7 @@ class ActionButton(QPushButton):
         tip = action.toolTip() or action.text()
         self.setToolTip(f"{tip} ({key})" if key else tip)
         self.setAccessibleName(action.text())
-        name = str(action.property("icon") or "")
+        name = str(action.property("drawing") or "")
         if name:
             shown = theme.colour("on_accent" if self._main else "text")
             self.setIcon(icons.icon(name, shown, theme.colour("text_dim")))

@@ -137,7 +137,7 @@ class BeltPage(StepPage):
         ):
             action.setText(text)
             action.setToolTip(tip)
-            action.setProperty("icon", icon)
+            action.setProperty("drawing", icon)
             action.setShortcut(key)
         self.nothing.show_words(
             self.tr("No belt is known yet"),

@@ -117,7 +117,7 @@ class CalibratePage(StepPage):
         ):  # fmt: skip
             action.setText(text)
             action.setToolTip(tip)
-            action.setProperty("icon", icon)
+            action.setProperty("drawing", icon)
             action.setShortcut(key)
         self.nothing.show_words(
             self.tr("No sensors run"),

@@ -123,7 +123,7 @@ class ConnectPage(StepPage):
         ):
             action.setText(text)
             action.setToolTip(tip)
-            action.setProperty("icon", icon)
+            action.setProperty("drawing", icon)
         self.connect_action.setShortcut("Ctrl+Return")
         self.calibrate_action.setShortcut("Ctrl+Return")
         self.change_action.setShortcut("Ctrl+N")

@@ -79,7 +79,7 @@ class LivePage(StepPage):
             (self.resume, "play", "Ctrl+Space", self._running.resume),
             (self.end, "stop", "Ctrl+E", self._running.end_lot),
         ):
-            action.setProperty("icon", name)
+            action.setProperty("drawing", name)
             action.setShortcut(QKeySequence(key))
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             action.triggered.connect(does)
