@@ -6,10 +6,10 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-from sqlalchemy import delete, func, select
+from sqlalchemy import Select, delete, func, select
 from sqlalchemy.orm import Session
 
-from fruitgui.classification.evidence import LabelledFruit
+from fruitgui.classification.evidence import UNKNOWN, LabelledFruit
 from fruitgui.errors import InputError
 from fruitgui.records import journal
 from fruitgui.records.correcting import checked_kind
@@ -18,8 +18,10 @@ from fruitgui.records.database import Database
 from fruitgui.records.journal import Change, Step
 from fruitgui.records.tables import SampleRow, TaughtRow
 from fruitgui.records.taught import KeptTaught, Sample, TaughtFruit, sample_of, sample_row, taught_of, taught_row
+from fruitgui.station.fingerprint import fingerprint
 from fruitgui.station.sink import Crop
 from fruitgui.station.train_job import Taught
+from fruitgui.station.workflow import TaughtFacts
 
 Teachable = tuple[TaughtFruit, Sequence[Crop]]
 """A fruit that may be taught, with its crops."""
@@ -43,6 +45,31 @@ class KindCount:
     samples: int
     fruit: int
     measured: int
+
+
+@dataclass(frozen=True, slots=True)
+class Brief:
+    """What a grid shows of a taught fruit beside its picture.
+
+    Attributes:
+        key: in the store.
+        source: where it comes from.
+        kind: None while it waits to be named.
+        volume_ml, mass_g: as a person measured, or None.
+        samples: its views.
+    """
+
+    key: int
+    source: str
+    kind: str | None
+    volume_ml: float | None
+    mass_g: float | None
+    samples: int
+
+    @property
+    def measured(self) -> bool:
+        """Whether it is a reference fruit."""
+        return self.volume_ml is not None or self.mass_g is not None
 
 
 class Teaching:
@@ -161,6 +188,29 @@ class Teaching:
             wanted = select(TaughtRow.source, func.count()).group_by(TaughtRow.source).order_by(newest)
             return dict(session.execute(wanted).all())
 
+    def facts(self) -> TaughtFacts | None:
+        """Return what the workflow wants to know; None where nothing has a kind."""
+        wanted = select(TaughtRow.source, TaughtRow.source_fruit, TaughtRow.kind, TaughtRow.volume_ml, TaughtRow.mass_g)
+        named = wanted.where(TaughtRow.kind.is_not(None)).order_by(TaughtRow.source, TaughtRow.source_fruit)
+        with self._database.reading() as session:
+            rows = [list(row) for row in session.execute(named)]
+        kinds = {one.kind: (one.samples, one.fruit) for one in self.counts() if one.kind != UNKNOWN}
+        return TaughtFacts(fingerprint(rows), kinds) if rows else None
+
+    def briefs(self) -> list[Brief]:
+        """Return all fruit, named or not, the newest first."""
+        views = select(SampleRow.taught_id, func.count()).group_by(SampleRow.taught_id)
+        wanted = select(TaughtRow.id, TaughtRow.source, TaughtRow.kind, TaughtRow.volume_ml, TaughtRow.mass_g)
+        with self._database.reading() as session:
+            samples = dict(session.execute(views).all())
+            rows = session.execute(wanted.order_by(TaughtRow.id.desc()))
+            return [Brief(*row, samples.get(row.id, 0)) for row in rows]
+
+    def unnamed(self) -> Iterator[KeptTaught]:
+        """Go through all fruit that wait to be named, the oldest first; memory stays flat."""
+        wanted = select(TaughtRow).where(TaughtRow.kind.is_(None)).order_by(TaughtRow.id)
+        yield from self._walk(wanted)
+
     def find(self, kind: str | None, first: int = 0, count: int = 100) -> tuple[KeptTaught, ...]:
         """Return some fruit of a kind, or of those that wait to be named (None), the newest first."""
         of_kind = TaughtRow.kind.is_(None) if kind is None else TaughtRow.kind == kind
@@ -182,6 +232,9 @@ class Teaching:
         wanted = select(TaughtRow).where(TaughtRow.kind.is_not(None)).order_by(TaughtRow.id)
         if source is not None:
             wanted = wanted.where(TaughtRow.source == source)
+        yield from self._walk(wanted)
+
+    def _walk(self, wanted: Select[TaughtRow]) -> Iterator[KeptTaught]:
         with self._database.reading() as session:
             for rows in session.scalars(wanted.execution_options(yield_per=READ_AT_ONCE)).partitions():
                 yield from taught_of(session, rows)
@@ -198,9 +251,8 @@ class Teaching:
 
 
 def _for_training(fruit: TaughtFruit, kind: str) -> Taught:
-    name = f"{fruit.source}:{fruit.source_fruit}"
     return Taught(
-        LabelledFruit(name, kind, fruit.evidence, fruit.sensors, fruit.source),
+        LabelledFruit(f"{fruit.source}:{fruit.source_fruit}", kind, fruit.evidence, fruit.sensors, fruit.source),
         fruit.size,
         None if fruit.volume_ml is None else fruit.volume_ml * 1e-6,
         None if fruit.mass_g is None else fruit.mass_g * 1e-3,

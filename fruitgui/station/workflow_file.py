@@ -21,7 +21,9 @@ class Marks(Written):
     Attributes:
         belt_calibration: the calibration for which a person set the belt; None before that.
         models: by the name that the station gives a model.
+        kinds: in the order of the keys that give them on the teaching screen.
     """
 
     belt_calibration: str | None = None
     models: dict[str, ModelMark] = Field(default_factory=dict)
+    kinds: tuple[str, ...] = ()

@@ -8,12 +8,13 @@ from collections.abc import Callable, Sequence
 from fruitgui.errors import FruitguiError
 from fruitgui.geometry.rig import Rig
 from fruitgui.measurement.rough import rough_size
+from fruitgui.perception.view import FruitView
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.judging import NOBODY_SAYS, Judgement, evidence
 from fruitgui.station.live.bench import Bench, HelperLostError, JobError, Weigh, Worker, attempted
 from fruitgui.station.live.crops import coded
 from fruitgui.station.live.following import Parted
-from fruitgui.station.live.state import Finished, KindTotal, Totals
+from fruitgui.station.live.state import Finished, KindTotal, Spot, Totals
 from fruitgui.station.sink import CountedFruit
 from fruitgui.station.waiting import BufferedSink, SinkState
 from fruitgui.tracking.track import Track
@@ -21,6 +22,9 @@ from fruitgui.tracking.track import Track
 LAST_FRUIT = 12
 UNKEPT = 256
 """Fruit that wait to be kept and are shown with their pictures once they are; beyond that only their number is."""
+
+SURELY = 0.8
+"""Part of half a view's shorter side within which one surely points at its fruit."""
 
 Teacher = Callable[[Finished], None]
 """Told of every fruit that left, counted or not; quick, and never raises."""
@@ -74,8 +78,9 @@ class Counting:
         self._number += 1
         seen_by = tuple(sorted({sighting.view.sensor for sighting in parted.track.sightings}))
         finished = Finished(
-            judgement.fruit(self._number, parted.track), coded(parted.cuts), judgement.evidence, seen_by
-        )
+            judgement.fruit(self._number, parted.track), coded(parted.cuts), judgement.evidence, seen_by,
+            spots_of(parted.track),
+        )  # fmt: skip
         if self._teacher is not None:
             self._teacher(finished)
         if lot is None:
@@ -121,6 +126,17 @@ class Counting:
 
     def _say(self, problem: FruitguiError) -> None:
         self._warn("not_kept", f"{problem.what} {problem.remedy}", ())
+
+
+def spots_of(track: Track) -> tuple[Spot, ...]:
+    """Return where each view of a track shows it."""
+    return tuple(_spot(sighting.view) for sighting in track.sightings)
+
+
+def _spot(view: FruitView) -> Spot:
+    left, top, width, height = view.box_px
+    radius_px = SURELY * min(width, height) / 2.0
+    return Spot(view.sensor, view.time_s, left + width / 2.0, top + height / 2.0, radius_px)
 
 
 def _with(totals: Totals, fruit: Fruit) -> Totals:

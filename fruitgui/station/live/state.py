@@ -138,6 +138,20 @@ class Preview:
     arrived_s: float
 
 
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """Where one view shows a fruit: a point on it in the colour image, and how far from there it surely still is it.
+
+    `sensor` is the station's id; `time_s` is of the frame, in the sensor's own clock.
+    """
+
+    sensor: str
+    time_s: float
+    u_px: float
+    v_px: float
+    radius_px: float
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Finished:
     """A fruit that has left.
@@ -147,12 +161,14 @@ class Finished:
         crops: its pictures, the best of each sensor.
         evidence: what its kind was decided on: what teaching it needs.
         sensors: that saw it, the station's ids.
+        spots: where each of its views shows it, in order of time.
     """
 
     fruit: Fruit
     crops: tuple[Crop, ...]
     evidence: Evidence
     sensors: tuple[str, ...]
+    spots: tuple[Spot, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -221,3 +221,29 @@ def test_labels_of_another_recording_are_refused(store: Store, tmp_path: Path) -
     with pytest.raises(InputError) as caught:
         import_labels(store.teaching, "morning.mcap", path)
     assert caught.value.code == "no_label_matched"
+
+
+def test_the_facts_tell_kinds_and_change_with_every_word(store: Store) -> None:
+    assert store.teaching.facts() is None
+    keys = _add(store, range(4))
+    store.teaching.name(keys[:2], "lemon")
+    store.teaching.name(keys[2:3], "unknown")
+    first = store.teaching.facts()
+    assert first is not None
+    assert first.kinds == {"lemon": (6, 2)}, "what is to be rejected is no kind"
+    store.teaching.measure(keys[0], 100.0, None)
+    second = store.teaching.facts()
+    assert second is not None
+    assert second.fingerprint != first.fingerprint
+    store.teaching.undo()
+    assert store.teaching.facts() == first
+
+
+def test_briefs_tell_what_a_grid_shows(store: Store) -> None:
+    keys = _add(store, range(3))
+    store.teaching.measure(keys[1], None, 99.0)
+    briefs = store.teaching.briefs()
+    assert [one.key for one in briefs] == keys[::-1]
+    assert [one.measured for one in briefs] == [False, True, False]
+    assert {one.samples for one in briefs} == {3}
+    assert [one.key for one in store.teaching.unnamed()] == keys
