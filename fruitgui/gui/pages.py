@@ -11,6 +11,7 @@ from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.steps.live.page import LivePage
 from fruitgui.gui.steps.lots.page import LotsPage
 from fruitgui.gui.steps.page import StepPage
+from fruitgui.gui.steps.teach.page import TeachPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.station.workflow import Step
 
@@ -20,6 +21,7 @@ MAKERS: Mapping[Step, PageMaker] = {
     Step.CONNECT: ConnectPage,
     Step.CALIBRATE: CalibratePage,
     Step.BELT: BeltPage,
+    Step.TEACH: TeachPage,
     Step.LIVE: LivePage,
     Step.LOTS: LotsPage,
 }

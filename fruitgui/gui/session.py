@@ -27,7 +27,7 @@ from fruitgui.station.settings import Settings
 from fruitgui.station.sources import Sources, is_finite
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import station_value
-from fruitgui.station.workflow import Facts, Step, StepState, step_states
+from fruitgui.station.workflow import Facts, Step, StepState, TaughtFacts, step_states
 from fruitgui.station.workflow_file import Marks
 from fruitgui.station.workspace import Workspace
 
@@ -47,6 +47,7 @@ class Session(QObject):
         running: the line and its lot.
         settings_changed, connection_changed, station_changed: that file was saved.
         states_changed: a step may have another state now.
+        taught_wanted: the taught fruit of a key is to be shown, on the screen where fruit get their kinds.
         damages: files that could not be read at the start; each lies aside, unharmed.
     """
 
@@ -54,6 +55,7 @@ class Session(QObject):
     connection_changed = Signal()
     station_changed = Signal()
     states_changed = Signal()
+    taught_wanted = Signal(int)
 
     def __init__(self, workspace: Workspace, parent: QObject | None = None, *, sources: Sources | None = None) -> None:
         """Open the workspace's files.
@@ -71,6 +73,7 @@ class Session(QObject):
         self.running = Running(self.store, self.connected, self.tasks, self.messages, self)
         self.damages: list[Damage] = []
         self._lots = self.store.lots.find(LotQuery(count=0)).found
+        self._taught = self.store.teaching.facts()
         self._settings = self._taken(workspace.settings.load()) or Settings()
         self._connection = self._taken(workspace.connection.load())
         self._station = self._taken(workspace.station.load())
@@ -94,6 +97,11 @@ class Session(QObject):
     def station(self) -> Station | None:
         """What setting up made."""
         return self._station
+
+    @property
+    def taught(self) -> TaughtFacts | None:
+        """What was taught, as far as was noted; None where nothing has a kind."""
+        return self._taught
 
     @property
     def marks(self) -> Marks:
@@ -147,6 +155,12 @@ class Session(QObject):
             self._marks = marks
             self.states_changed.emit()
 
+    def note_taught(self, taught: TaughtFacts | None) -> None:
+        """Take note of what is taught now."""
+        if taught != self._taught:
+            self._taught = taught
+            self.states_changed.emit()
+
     def lot_words(self) -> LotWords:
         """Return what to propose for the next lot, by the lots that were run."""
         try:
@@ -182,6 +196,7 @@ class Session(QObject):
             self._station,
             self._marks,
             present=self._present(),
+            taught=self._taught,
             lots=self._lots,
             moved=self.running.moved,
             running=self.running.running,

@@ -8,5 +8,6 @@ from fruitgui.gui.steps.calibrate.shots import SCENES as CALIBRATE
 from fruitgui.gui.steps.connect.shots import SCENES as CONNECT
 from fruitgui.gui.steps.live.shots import SCENES as LIVE
 from fruitgui.gui.steps.lots.shots import SCENES as LOTS
+from fruitgui.gui.steps.teach.shots import SCENES as TEACH
 
-SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE, *BELT, *LIVE, *LOTS)
+SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE, *BELT, *TEACH, *LIVE, *LOTS)

@@ -1,0 +1,297 @@
+"""What a person does on the teaching screen, carried out: seen at once, saved at once, the window never waiting."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from fruitgui.errors import FruitguiError
+from fruitgui.gui.kind_words import kind_name
+from fruitgui.gui.queries import Queries
+from fruitgui.gui.session import Session
+from fruitgui.gui.steps.teach import work
+from fruitgui.gui.steps.teach.desk import Desk
+from fruitgui.gui.tasks import Job, Task
+from fruitgui.records.correcting import checked_kind
+from fruitgui.records.insight import Insight
+from fruitgui.records.journal import Step
+from fruitgui.records.labels_file import LabelsRead
+from fruitgui.records.lesson import Lesson
+from fruitgui.station.workflow import TaughtFacts
+
+T = TypeVar("T")
+
+COME_IN_MS = 700
+"""How often one looks for fruit that came in, while a lesson runs."""
+
+AGAIN_AFTER = 10
+"""Fruit that are named before the model so far is asked again."""
+
+
+class Classroom(QObject):
+    """Holds the desk; every change goes to the store in order, on a thread of its own.
+
+    Attributes:
+        desk: the fruit, as they are.
+        changed: the desk.
+        busy_changed: a lesson or another job began or ended.
+        touched: keys of fruit that undoing or redoing changed, for the screen to show.
+    """
+
+    changed = Signal()
+    busy_changed = Signal()
+    touched = Signal(object)
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._teaching = session.store.teaching
+        self._saving = 0
+        self._named = 0
+        self._lesson: Task[Lesson] | None = None
+        self._look: Task[Insight] | None = None
+        self.desk = Desk()
+        self.can_undo = self.can_redo = False
+        self.queries = Queries(self)
+        self.queries.failed.connect(self._fail)
+        self._come_in = QTimer(self, interval=COME_IN_MS)
+        self._come_in.timeout.connect(self.load)
+        session.running.changed.connect(self._line_changed)
+
+    @property
+    def in_lesson(self) -> bool:
+        """Whether fruit come in."""
+        return self._lesson is not None
+
+    @property
+    def looking(self) -> bool:
+        """Whether the model so far is being asked."""
+        return self._look is not None
+
+    def load(self) -> None:
+        """Read what is taught anew."""
+        self.queries.ask("load", work.loading(self._session.store), self._lay_out)
+        self.queries.ask("steps", self._teaching.steps, self._take_steps)
+
+    def name(self, keys: Sequence[int], kind: str) -> None:
+        """Give some fruit a kind."""
+        if not keys:
+            return
+        try:
+            kind = self.desk.add_kind(checked_kind(kind))
+        except FruitguiError as error:
+            self._session.messages.error(error)
+            return
+        self._keep_order()
+        self.desk.name(keys, kind)
+        self._save(lambda: self._teaching.name(keys, kind))
+        self._named += len(keys)
+        if len(keys) == 1:
+            said = self.tr("Named: {kind}.").format(kind=kind_name(kind))
+        else:
+            said = self.tr("{count} fruit named: {kind}.").format(count=len(keys), kind=kind_name(kind))
+        self._session.messages.info(said, self.tr("Undo"), self.undo)
+        self._look_again()
+
+    def clear(self, keys: Sequence[int]) -> None:
+        """Let some fruit wait to be named again."""
+        named = [key for key in keys if self.desk.fruit[key].kind is not None]
+        if named:
+            self.desk.name(named, None)
+            self._save(lambda: self._teaching.clear(named))
+            said = self.tr("{count} fruit wait to be named again.").format(count=len(named))
+            self._session.messages.info(said, self.tr("Undo"), self.undo)
+
+    def measure(self, key: int, volume_ml: float | None, mass_g: float | None) -> None:
+        """Keep what a person measured of a fruit."""
+        if key in self.desk.fruit:
+            self.desk.measure(key, volume_ml, mass_g)
+            self._save(lambda: self._teaching.measure(key, volume_ml, mass_g))
+            self._session.messages.info(self.tr("The measures are kept."), self.tr("Undo"), self.undo)
+
+    def remove(self, keys: Sequence[int]) -> None:
+        """Forget some fruit for good."""
+        gone = list(keys)
+        self.desk.remove(gone)
+        self._save(lambda: self._teaching.remove(gone))
+        self._session.messages.info(self.tr("{count} fruit were removed.").format(count=len(gone)))
+
+    def undo(self) -> None:
+        """Take the newest step back."""
+        self._step(self._teaching.undo, back=True)
+
+    def redo(self) -> None:
+        """Do again what was taken back last."""
+        self._step(self._teaching.redo, back=False)
+
+    def watch(self) -> None:
+        """Let fruit come in from the sensors that run."""
+        feed, station = self._session.connected.feed, self._session.station
+        if feed is not None and station is not None:
+            self._teach(self.tr("Watching the line"), work.watching(self._session.store, feed, station))
+
+    def open(self, path: Path) -> None:
+        """Let the fruit of a recording come in."""
+        station = self._session.station
+        if station is not None:
+            job = work.opening(self._session.store, path, station)
+            self._teach(self.tr("Watching {name}").format(name=path.name), job)
+
+    def stop_lesson(self) -> None:
+        """It is enough."""
+        if self._lesson is not None:
+            self._lesson.cancel()
+
+    def look_through(self) -> None:
+        """Ask the model so far: for suggestions, what to name first, likely mistakes."""
+        if self._look is None and self.desk.can_look_through:
+            self._named = 0
+            job = work.looking_through(self._session.store)
+            self._look = self._session.tasks.run(self.tr("Looking through the fruit"), job)
+            self._look.succeeded.connect(self._take_insight)
+            self._look.failed.connect(self._session.messages.error)
+            self._look.ended.connect(self._looked)
+            self.busy_changed.emit()
+
+    def export(self, source: str, path: Path) -> None:
+        """Write what is taught of a source as a labels file."""
+
+        def told(rows: int) -> None:
+            said = self.tr("{rows} labels of {source} are in {file}.")
+            self._session.messages.good(said.format(rows=rows, source=source, file=path.name))
+
+        self._run(self.tr("Writing labels"), work.exporting(self._session.store, source, path), told)
+
+    def import_labels(self, source: str, path: Path) -> None:
+        """Name the fruit of a source as a labels file says; one step, which can be taken back."""
+        self._run(self.tr("Reading labels"), work.importing(self._session.store, source, path), self._take_labels)
+
+    def sources(self, *, named: bool) -> list[str]:
+        """Return where fruit come from, the newest first; only of fruit with a kind where `named`."""
+        fruit = self.desk.fruit.values()
+        return list(dict.fromkeys(one.source for one in fruit if one.kind is not None or not named))
+
+    def rest(self) -> None:
+        """Nobody looks any more: a lesson from the line ends, what was changed is saved."""
+        self.stop_lesson()
+
+    # what comes back
+
+    def _lay_out(self, loaded: work.Loaded) -> None:
+        if self._saving:
+            self.load()  # something was changed meanwhile: what was read is older than what is seen
+            return
+        fruit, facts = loaded
+        self.desk.lay_out(fruit, self.desk.order or self._session.marks.kinds)
+        self._session.note_taught(facts)
+        self.changed.emit()
+
+    def _take_steps(self, steps: tuple[Step | None, Step | None]) -> None:
+        self.can_undo, self.can_redo = steps[0] is not None, steps[1] is not None
+        self.changed.emit()
+
+    def _save(self, change: Callable[[], object]) -> None:
+        self._saving += 1
+        self.can_undo, self.can_redo = True, False
+        self.queries.change(change, self._saved)
+        self.changed.emit()
+
+    def _saved(self, _result: object) -> None:
+        self._saving = max(self._saving - 1, 0)
+        if not self._saving:
+            self.queries.ask("facts", self._teaching.facts, self._note)
+
+    def _note(self, facts: TaughtFacts | None) -> None:
+        self._session.note_taught(facts)
+
+    def _step(self, take: Callable[[], Step | None], *, back: bool) -> None:
+        self._saving += 1
+        self.queries.change(take, lambda step: self._stepped(step, back=back))
+
+    def _stepped(self, step: Step | None, *, back: bool) -> None:
+        self._saved(step)
+        self.queries.ask("steps", self._teaching.steps, self._take_steps)
+        if step is None:
+            nothing = self.tr("There is nothing to undo.") if back else self.tr("There is nothing to do again.")
+            self._session.messages.info(nothing)
+            return
+        touched = self.desk.apply(step.changes, back=back)
+        self.desk.settled.difference_update(touched)
+        self.changed.emit()
+        self.touched.emit(touched)
+        count = len(step.changes)
+        done = self.tr("Taken back on {count} fruit.") if back else self.tr("Done again on {count} fruit.")
+        self._session.messages.info(done.format(count=count))
+
+    def _fail(self, error: FruitguiError) -> None:
+        """Say it, and show again what the store really holds."""
+        self._saving = 0
+        self._session.messages.error(error)
+        self.load()
+
+    def _keep_order(self) -> None:
+        marks = self._session.marks
+        if marks.kinds != self.desk.order:
+            self._session.save_marks(marks.model_copy(update={"kinds": self.desk.order}))
+
+    def _teach(self, name: str, job: Job[Lesson]) -> None:
+        if self._lesson is not None:
+            return
+        self._lesson = self._session.tasks.run(name, job)
+        self._lesson.succeeded.connect(self._learned)
+        self._lesson.failed.connect(self._session.messages.error)
+        self._lesson.ended.connect(self._lesson_ended)
+        self._come_in.start()
+        self.busy_changed.emit()
+
+    def _learned(self, lesson: Lesson) -> None:
+        messages = self._session.messages
+        if lesson.fruit or not lesson.known:
+            messages.good(self.tr("{count} fruit came in from {source}.").format(
+                count=lesson.fruit, source=lesson.source))  # fmt: skip
+        else:
+            messages.info(self.tr("All {count} fruit of {source} were here already.").format(
+                count=lesson.known, source=lesson.source))  # fmt: skip
+        if lesson.warnings:
+            messages.warn(lesson.warnings[0], self.tr("The fruit that came in can be named all the same."))
+
+    def _lesson_ended(self) -> None:
+        self._lesson = None
+        self._come_in.stop()
+        self.load()
+        self.busy_changed.emit()
+
+    def _line_changed(self) -> None:
+        """A lot goes before a lesson: the line has no time for both."""
+        if self._session.running.running:
+            self.stop_lesson()
+
+    def _take_insight(self, insight: Insight) -> None:
+        self.desk.insight = insight
+        self.desk.settled.clear()
+        self.changed.emit()
+
+    def _looked(self) -> None:
+        self._look = None
+        self.busy_changed.emit()
+
+    def _look_again(self) -> None:
+        """Ask anew once enough more is known, if the person has asked before."""
+        if self._named >= AGAIN_AFTER and (self.desk.insight.guesses or self.desk.insight.mistakes):
+            self.look_through()
+
+    def _take_labels(self, read: LabelsRead) -> None:
+        said = self.tr("{fruit} fruit were named by {rows} labels.").format(fruit=read.fruit, rows=read.rows)
+        self._session.messages.info(said, self.tr("Undo"), self.undo)
+        if read.warnings:
+            more = self.tr("{count} rows were left out; the first: {why}")
+            self._session.messages.warn(more.format(count=len(read.warnings), why=read.warnings[0]))
+        self.load()
+
+    def _run(self, name: str, job: Job[T], done: Callable[[T], None]) -> None:
+        task = self._session.tasks.run(name, job)
+        task.succeeded.connect(done)
+        task.failed.connect(self._session.messages.error)

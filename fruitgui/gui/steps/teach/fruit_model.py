@@ -1,0 +1,126 @@
+"""The fruit of the shelf as a list that Qt shows; pictures are fetched beside the window as they come into view."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, QTimer
+
+from fruitgui.gui.queries import Queries
+from fruitgui.gui.view_pictures import ViewPicture, view_pictures
+from fruitgui.records.crops import Crops
+
+Index = QModelIndex | QPersistentModelIndex
+Views = tuple[ViewPicture, ...]
+
+MOST_PICTURES = 600
+"""Fruit whose pictures are held, some 0.2 MB each."""
+
+AT_ONCE = 12
+"""Fruit whose pictures are read in one go, so that the newest in view never wait long."""
+
+KEY = int(Qt.ItemDataRole.UserRole)
+
+
+class FruitModel(QAbstractListModel):
+    """Keys of fruit in rows; what is painted is asked for by key.
+
+    Args:
+        crops: of the store.
+        described: says what a fruit is, for screen readers.
+    """
+
+    def __init__(self, crops: Crops, described: Callable[[int], str], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._crops = crops
+        self._described = described
+        self._keys: list[int] = []
+        self._views: OrderedDict[int, Views] = OrderedDict()
+        self._wanted: OrderedDict[int, None] = OrderedDict()
+        self._asked: set[int] = set()
+        self.queries = Queries(self)
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self._fetch)
+
+    @property
+    def keys(self) -> Sequence[int]:
+        """The fruit in the order in which they are shown."""
+        return self._keys
+
+    def rowCount(self, parent: Index | None = None) -> int:  # noqa: N802 - Qt's name
+        """Return the number of fruit."""
+        return 0 if parent is not None and parent.isValid() else len(self._keys)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+        """Return a fruit's key, or its description."""
+        if not index.isValid():
+            return None
+        key = self._keys[index.row()]
+        if role == KEY:
+            return key
+        if role in (Qt.ItemDataRole.AccessibleTextRole, Qt.ItemDataRole.ToolTipRole):
+            return self._described(key)
+        return None
+
+    def show_keys(self, keys: Sequence[int]) -> None:
+        """Show other fruit; where some only left, the rest keep their places."""
+        gone = set(self._keys) - set(keys)
+        if len(gone) <= AT_ONCE and [key for key in self._keys if key not in gone] == list(keys):
+            for key in gone:
+                row = self._keys.index(key)
+                self.beginRemoveRows(QModelIndex(), row, row)
+                del self._keys[row]
+                self.endRemoveRows()
+        elif list(keys) != self._keys:
+            self.beginResetModel()
+            self._keys = list(keys)
+            self.endResetModel()
+
+    def touch(self) -> None:
+        """Draw all anew: what is known of the fruit changed."""
+        if self._keys:
+            self.dataChanged.emit(self.index(0), self.index(len(self._keys) - 1))
+
+    def row(self, key: int) -> int:
+        """Return a fruit's row, −1 where it is not shown."""
+        return self._keys.index(key) if key in self._keys else -1
+
+    def views(self, key: int) -> Views | None:
+        """Return a fruit's pictures; None while they are fetched, which this begins."""
+        views = self._views.get(key)
+        if views is not None:
+            self._views.move_to_end(key)
+        elif key not in self._asked:
+            self._wanted[key] = None
+            self._wanted.move_to_end(key)
+            self._soon.start()
+        return views
+
+    def rest(self) -> None:
+        """Fetch nothing more for now."""
+        self._wanted.clear()
+        self._asked.clear()
+        self.queries.rest()
+
+    def _fetch(self) -> None:
+        """Ask for the newest of what is wanted; what was scrolled past long ago is forgotten."""
+        if self._asked or not self._wanted:
+            return
+        keys = [self._wanted.popitem()[0] for _ in range(min(AT_ONCE, len(self._wanted)))]
+        self._asked.update(keys)
+        crops = self._crops
+        self.queries.ask("pictures", lambda: {key: view_pictures(crops.of("taught", key)) for key in keys}, self._take)
+
+    def _take(self, views: dict[int, Views]) -> None:
+        self._asked.clear()
+        self._views.update(views)
+        while len(self._views) > MOST_PICTURES:
+            self._views.popitem(last=False)
+        while len(self._wanted) > MOST_PICTURES // 2:
+            self._wanted.popitem(last=False)
+        for key in views:
+            row = self.row(key)
+            if row >= 0:
+                self.dataChanged.emit(self.index(row), self.index(row))
+        self._fetch()
