@@ -1,4 +1,4 @@
-"""A taught fruit's crops as pictures to be drawn; no widgets."""
+"""A fruit's crops as pictures to be drawn; no widgets."""
 
 from __future__ import annotations
 
@@ -21,31 +21,34 @@ BEHIND_MM = 40.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class ViewPicture:
+class ViewPictures:
     """One view of a fruit.
 
     Attributes:
-        sensor: that saw it.
+        number: of the view. sensor: that saw it.
         colour, depth: the pictures, depth in false colours; null where there is none.
         outline: in pixels of either; empty where there is none.
     """
 
+    number: int
     sensor: str
     colour: QImage
     depth: QImage
     outline: QPolygonF
 
 
-def view_pictures(crops: Sequence[Crop]) -> tuple[ViewPicture, ...]:
+def view_pictures(crops: Sequence[Crop]) -> tuple[ViewPictures, ...]:
     """Return the views of a fruit, the best first; a damaged crop leaves a gap, never an error. Any thread may call."""
     numbers = dict.fromkeys(crop.number for crop in crops)
-    return tuple(_view([crop for crop in crops if crop.number == number]) for number in numbers)
+    views = (_view([crop for crop in crops if crop.number == number]) for number in numbers)
+    return tuple(view for view in views if not (view.colour.isNull() and view.depth.isNull()))
 
 
-def _view(crops: Sequence[Crop]) -> ViewPicture:
+def _view(crops: Sequence[Crop]) -> ViewPictures:
     found = {crop.content: crop for crop in crops}
     colour, mask = found.get("colour"), _decoded(found.get("outline"))
-    return ViewPicture(
+    return ViewPictures(
+        crops[0].number,
         crops[0].sensor,
         QImage() if colour is None else QImage.fromData(colour.data),
         _depth(_decoded(found.get("depth")), mask),

@@ -16,13 +16,14 @@ from fruitgui.geometry.pose import Pose
 from fruitgui.gui.kind_words import kind_name, kinds_in_order
 from fruitgui.gui.steps.lots.figures import kind_rows, read_figures, spans, times_text
 from fruitgui.gui.steps.lots.fruit_facts import facts, machine_text, person_text, said_lines
-from fruitgui.gui.steps.lots.fruit_pictures import view_pictures, way
+from fruitgui.gui.steps.lots.fruit_pictures import way
 from fruitgui.gui.steps.lots.fruit_rows import Column, Show, Wanted, cell_text, correction_text
 from fruitgui.gui.steps.lots.hand import Deed, Undo, Word, undoing
 from fruitgui.gui.steps.lots.handing_on import file_name
 from fruitgui.gui.steps.lots.lot_entry import LotState, Period, bounds_s, lot_entry, state_of
 from fruitgui.gui.steps.lots.paged import Pages
 from fruitgui.gui.steps.lots.words import duration_text, litres_text, quantity_text
+from fruitgui.gui.view_pictures import view_pictures
 from fruitgui.measurement.fruit import Quantity
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot, LotPlan, Pause

@@ -43,7 +43,6 @@ def taught(qtbot: QtBot, tmp_path: Path, schoolhouse: Path) -> Iterator[Session]
 @pytest.fixture
 def page(qtbot: QtBot, taught: Session, theme: Theme) -> Iterator[TeachPage]:
     made = TeachPage(taught, theme)
-    qtbot.addWidget(made)
     made.resize(1072, 580)
     made.show()
     made.entered()
@@ -51,6 +50,8 @@ def page(qtbot: QtBot, taught: Session, theme: Theme) -> Iterator[TeachPage]:
     yield made
     made.left()
     _rest(qtbot, made)
+    made.close()
+    made.deleteLater()
 
 
 def _rest(qtbot: QtBot, page: TeachPage) -> None:

@@ -16,10 +16,11 @@ from fruitgui.gui.kind_words import kinds_in_order
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.steps.lots.figures import LotFigures, read_figures
 from fruitgui.gui.steps.lots.fruit_model import thumbnails
-from fruitgui.gui.steps.lots.fruit_pictures import ShownFruit, view_pictures, way
+from fruitgui.gui.steps.lots.fruit_pictures import ShownFruit, way
 from fruitgui.gui.steps.lots.fruit_rows import Wanted
 from fruitgui.gui.steps.lots.hand import Undo, Word, undoing
 from fruitgui.gui.steps.lots.words import SPREAD
+from fruitgui.gui.view_pictures import view_pictures
 from fruitgui.records.fruit_record import FruitRecord
 from fruitgui.records.fruit_search import FruitPage
 from fruitgui.records.lot_search import LotQuery

@@ -20,10 +20,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.gui.numbers import THIN, number_text
-from fruitgui.gui.steps.lots.fruit_pictures import ViewPictures, Way
+from fruitgui.gui.steps.lots.fruit_pictures import Way
 from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
+from fruitgui.gui.view_pictures import ViewPictures
 from fruitgui.gui.widgets.histogram import ticks
 from fruitgui.gui.widgets.sensor_picture import paint_ellipse
 

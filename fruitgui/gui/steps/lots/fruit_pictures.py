@@ -1,91 +1,21 @@
-"""A fruit's crops as pictures, and its way over the belt as seen from above; no widgets."""
+"""A fruit with its pictures, and its way over the belt as seen from above; no widgets."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
-from PySide6.QtCore import QPointF
-from PySide6.QtGui import QImage, QPolygonF
 
 from fruitgui.frame import F64
 from fruitgui.geometry.pose import Pose
-from fruitgui.gui.widgets.pictures import depth_image
+from fruitgui.gui.view_pictures import ViewPictures
 from fruitgui.records.correcting import Correction
 from fruitgui.records.fruit_record import FruitRecord
 from fruitgui.station.live.above import spread_of
 from fruitgui.station.live.state import Spread
-from fruitgui.station.sink import Crop
 from fruitgui.station.station import Station
 from fruitgui.tracking.track import PathPoint
-
-DEPTH_ROOM_MM = 40.0
-"""Beyond the fruit's own depths, what is shown of the belt behind it."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ViewPictures:
-    """One view of a fruit.
-
-    Attributes:
-        number: of the view. sensor: that saw it.
-        colour, depth: the pictures; depth in false colours; null where there is none.
-        outline: in pixels of either.
-    """
-
-    number: int
-    sensor: str
-    colour: QImage
-    depth: QImage
-    outline: QPolygonF
-
-
-def view_pictures(crops: Sequence[Crop]) -> tuple[ViewPictures, ...]:
-    """Return a fruit's views as pictures; what is damaged is left out."""
-    numbers = dict.fromkeys(crop.number for crop in crops)
-    views = (_view([crop for crop in crops if crop.number == number]) for number in numbers)
-    return tuple(view for view in views if not (view.colour.isNull() and view.depth.isNull()))
-
-
-def _view(crops: Sequence[Crop]) -> ViewPictures:
-    by_content = {crop.content: crop for crop in crops}
-    colour, depth, outline = (by_content.get(content) for content in ("colour", "depth", "outline"))
-    mask = None if outline is None else _decoded(outline)
-    return ViewPictures(
-        crops[0].number, crops[0].sensor,
-        QImage() if colour is None else QImage.fromData(colour.data),
-        QImage() if depth is None else _depth(depth, mask),
-        QPolygonF() if mask is None else _outline(mask),
-    )  # fmt: skip
-
-
-def _decoded(crop: Crop) -> np.ndarray | None:
-    bytes_ = np.frombuffer(crop.data, np.uint8)
-    return None if not bytes_.size else cv2.imdecode(bytes_, cv2.IMREAD_UNCHANGED)
-
-
-def _depth(crop: Crop, mask: np.ndarray | None) -> QImage:
-    depth_mm = _decoded(crop)
-    if depth_mm is None or depth_mm.ndim != 2:
-        return QImage()
-    depth_mm = depth_mm.astype(np.uint16)
-    fruit = depth_mm > 0 if mask is None or mask.shape != depth_mm.shape else (depth_mm > 0) & (mask > 0)
-    if not fruit.any():
-        return QImage()
-    near, far = np.percentile(depth_mm[fruit], [2, 98])
-    return depth_image(depth_mm, float(near), float(far) + DEPTH_ROOM_MM)
-
-
-def _outline(mask: np.ndarray) -> QPolygonF:
-    if mask.ndim != 2:
-        return QPolygonF()
-    contours, _ = cv2.findContours((mask > 0).astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
-    if not contours:
-        return QPolygonF()
-    largest = max(contours, key=cv2.contourArea).reshape(-1, 2)
-    return QPolygonF([QPointF(x + 0.5, y + 0.5) for x, y in largest.tolist()])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -8,11 +8,11 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, QTimer
 
 from fruitgui.gui.queries import Queries
-from fruitgui.gui.view_pictures import ViewPicture, view_pictures
+from fruitgui.gui.view_pictures import ViewPictures, view_pictures
 from fruitgui.records.crops import Crops
 
 Index = QModelIndex | QPersistentModelIndex
-Views = tuple[ViewPicture, ...]
+Views = tuple[ViewPictures, ...]
 
 MOST_PICTURES = 600
 """Fruit whose pictures are held, some 0.2 MB each."""

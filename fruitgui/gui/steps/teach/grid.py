@@ -13,7 +13,7 @@ from fruitgui.gui.steps.teach.tile import Tile, Tiles
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
-from fruitgui.gui.view_pictures import ViewPicture
+from fruitgui.gui.view_pictures import ViewPictures
 from fruitgui.gui.widgets.kind_mark import paint_mark
 
 SMALLEST, USUAL, LARGEST = 128, 192, 384
@@ -25,7 +25,7 @@ PAPER = QColor(0, 0, 0, 150)
 INK = QColor("#ffffff")
 
 
-def paint_view(painter: QPainter, box: QRectF, view: ViewPicture | None, theme: Theme, *, depth: bool) -> None:
+def paint_view(painter: QPainter, box: QRectF, view: ViewPictures | None, theme: Theme, *, depth: bool) -> None:
     """Draw one view of a fruit into a box, cut to fill it, with its outline."""
     painter.save()
     clip = QPainterPath()

@@ -23,13 +23,13 @@ from fruitgui.gui.steps.teach.side_panel import SidePanel
 from fruitgui.gui.steps.teach.tile import Tiles
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
-from fruitgui.gui.view_pictures import ViewPicture, view_pictures
+from fruitgui.gui.view_pictures import ViewPictures, view_pictures
 from fruitgui.gui.widgets.cards import EmptyPlace
 from fruitgui.measurement.fruit import Size
 from fruitgui.station.workflow import Step
 
 SIZE_STEP = 32
-Seen = tuple[int, tuple[ViewPicture, ...], Size]
+Seen = tuple[int, tuple[ViewPictures, ...], Size]
 
 
 class TeachPage(StepPage):

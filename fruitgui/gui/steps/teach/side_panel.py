@@ -14,7 +14,7 @@ from fruitgui.gui.steps.teach.tile import Tile
 from fruitgui.gui.theme.kinds import UNKNOWN_MARK
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, TOUCH
-from fruitgui.gui.view_pictures import ViewPicture
+from fruitgui.gui.view_pictures import ViewPictures
 from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.kind_mark import KindMarkView
 from fruitgui.measurement.fruit import Size
@@ -33,11 +33,11 @@ class ViewsPicture(QWidget):
         super().__init__(parent)
         self._theme = theme
         self._depth = depth
-        self._views: tuple[ViewPicture, ...] = ()
+        self._views: tuple[ViewPictures, ...] = ()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         theme.changed.connect(self.update)
 
-    def show_views(self, views: Sequence[ViewPicture]) -> None:
+    def show_views(self, views: Sequence[ViewPictures]) -> None:
         """Show other views."""
         self._views = tuple(views)
         self.setVisible(bool(views))
@@ -150,7 +150,7 @@ class SidePanel(Card):
             self.mass.show_value(one.mass_g)
         self._show_density(one, density_g_ml)
 
-    def show_views(self, key: int, views: Sequence[ViewPicture], size: Size) -> None:
+    def show_views(self, key: int, views: Sequence[ViewPictures], size: Size) -> None:
         """Show a fruit's pictures and what was fitted, if it is still the one."""
         if key == self._key:
             self._show_pictures(views)
@@ -158,7 +158,7 @@ class SidePanel(Card):
             known = volume.value == volume.value
             self.fitted.setText(measured_text(volume.value * ML_PER_M3, volume.std * ML_PER_M3, "ml") if known else "—")
 
-    def _show_pictures(self, views: Sequence[ViewPicture]) -> None:
+    def _show_pictures(self, views: Sequence[ViewPictures]) -> None:
         self.views.show_views(views)
         self.depths.show_views(views)
 
