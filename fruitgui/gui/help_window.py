@@ -5,9 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QUrl
-from PySide6.QtGui import QDesktopServices, QTextDocument
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
+from fruitgui.gui.manual_view import ManualView
+from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.resources import folder
 from fruitgui.station.workflow import Step
@@ -17,35 +19,23 @@ class HelpWindow(QDialog):
     """Shows the manual, opened at the chapter of a step.
 
     Args:
+        theme: in which it is set.
         language: of the manual; English where it is not there in that language.
         log: file that the button beside it shows.
     """
 
-    def __init__(self, language: str, log: Path, parent: QWidget | None = None) -> None:
+    def __init__(self, theme: Theme, language: str, log: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._log = log
-        self._text = QTextBrowser(self)
-        self._text.setOpenExternalLinks(True)
-        self._text.setAccessibleName(self.tr("Manual"))
-        page = manual_page(language)
-        self._text.setSearchPaths([str(page.parent)])
-        document = self._text.document()
-        document.setBaseUrl(QUrl.fromLocalFile(f"{page.parent}/"))
-        document.setMarkdown(page.read_text(encoding="utf-8"), QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
+        self.text = ManualView(theme, self)
+        self.text.show_page(manual_page(language))
         self._lay_out()
         self.setWindowTitle(self.tr("Help"))
         self.resize(900, 680)
 
     def show_step(self, step: Step) -> None:
         """Scroll to the chapter of a step: the chapters are numbered as the steps are."""
-        number = list(Step).index(step) + 1
-        block = self._text.document().begin()
-        while block.isValid():
-            if block.blockFormat().headingLevel() == 2 and block.text().startswith(f"{number}."):
-                place = self._text.document().documentLayout().blockBoundingRect(block)
-                self._text.verticalScrollBar().setValue(int(place.top()))
-                return
-            block = block.next()
+        self.text.show_chapter(list(Step).index(step) + 1)
 
     def _lay_out(self) -> None:
         show_log, close = QPushButton(self.tr("Show log")), QPushButton(self.tr("Close"))
@@ -60,7 +50,7 @@ class HelpWindow(QDialog):
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
-        column.addWidget(self._text, 1)
+        column.addWidget(self.text, 1)
         column.addLayout(row)
 
     def _show_log(self) -> None:

@@ -57,6 +57,7 @@ QAbstractSpinBox::up-button { subcontrol-origin: border; subcontrol-position: to
 QAbstractSpinBox::down-button { subcontrol-origin: border; subcontrol-position: bottom right; width: 0; border: 0; }
 QAbstractSpinBox QLineEdit { background: transparent; border: 0; min-height: 0; padding: 0 10px; }
 QTextEdit, QPlainTextEdit { padding: 8px; }
+QTextBrowser[role="manual"] { background: $surface; border-color: $line; border-radius: ${radius}px; padding: 0; }
 QComboBox::drop-down { border: 0; width: 32px; }
 QComboBox::down-arrow { image: url($controls/down-$name.svg); width: 18px; height: 18px; }
 QComboBox QAbstractItemView { background: $surface; border: 1px solid $line; selection-background-color: $accent;

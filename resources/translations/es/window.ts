@@ -61,10 +61,6 @@
 <context>
     <name>HelpWindow</name>
     <message>
-        <source>Manual</source>
-        <translation>Manual</translation>
-    </message>
-    <message>
         <source>Help</source>
         <translation>Ayuda</translation>
     </message>
@@ -93,6 +89,13 @@
     <message>
         <source>Unknown</source>
         <translation>Desconocida</translation>
+    </message>
+</context>
+<context>
+    <name>ManualView</name>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,169 @@
+"""The manual as it is read: set in the program's own type, in the theme's colours, with its pictures in good size."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from PySide6.QtCore import Qt, QUrl
+from PySide6.QtGui import (
+    QBrush,
+    QFont,
+    QImage,
+    QTextBlock,
+    QTextBlockFormat,
+    QTextCharFormat,
+    QTextCursor,
+    QTextDocument,
+    QTextFormat,
+    QTextFrame,
+    QTextFrameFormat,
+    QTextLength,
+    QTextTable,
+)
+from PySide6.QtWidgets import QTextBrowser, QWidget
+
+from fruitgui.gui.theme.theme import FAMILY, Theme
+from fruitgui.gui.theme.tokens import GRID
+
+WIDEST_PICTURE = 760
+"""Pixels."""
+
+LINE_PERCENT, CELL_LINE_PERCENT = 130.0, 115.0
+"""Height of a line; in cells of tables it is less."""
+
+_SIZES = {1: "page", 2: "title", 3: "body"}
+_SPACE_ABOVE = {1: 0, 2: 4 * GRID, 3: 2 * GRID}
+_KEY = QTextFormat.Property.UserProperty.value + 1
+"""Marks what Markdown writes in backticks: keys and codes."""
+
+
+class ManualView(QTextBrowser):
+    """Shows a page written in Markdown.
+
+    Args:
+        theme: whose type and colours it has; it follows when that changes.
+    """
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self.setProperty("role", "manual")
+        self.setOpenExternalLinks(True)
+        self.setAccessibleName(self.tr("Manual"))
+        theme.changed.connect(self._set)
+
+    def show_page(self, page: Path) -> None:
+        """Read a page; its pictures are found as seen from its folder."""
+        document = self.document()
+        document.setBaseUrl(QUrl.fromLocalFile(f"{page.parent}/"))
+        document.setMarkdown(page.read_text(encoding="utf-8"), QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
+        self._set()
+
+    def show_chapter(self, number: int) -> None:
+        """Scroll to the chapter (a heading of the second level) that begins with a number."""
+        for block in _blocks(self.document()):
+            if block.blockFormat().headingLevel() == 2 and block.text().startswith(f"{number}."):
+                place = self.document().documentLayout().blockBoundingRect(block)
+                self.verticalScrollBar().setValue(int(place.top()))
+                return
+
+    def loadResource(self, kind: int, name: QUrl | str) -> object:  # noqa: N802 - Qt's name
+        """Return a picture no wider than the text, smoothly made smaller, or what else is asked for."""
+        found = super().loadResource(kind, QUrl(name))
+        if kind != QTextDocument.ResourceType.ImageResource.value:
+            return found
+        image = QImage(self.document().baseUrl().resolved(QUrl(name)).toLocalFile())
+        return _fitted(image, self.devicePixelRatioF())
+
+    def _set(self) -> None:
+        document = self.document()
+        document.setDocumentMargin(3 * GRID)
+        document.setDefaultFont(self._theme.font())
+        for block in _blocks(document):
+            _set_block(block, self._theme)
+        for table in _tables(document.rootFrame()):
+            _set_table(table, self._theme)
+
+
+def _fitted(image: QImage, ratio: float) -> QImage:
+    width = round(min(image.width(), WIDEST_PICTURE) * ratio)
+    if image.isNull() or width == image.width():
+        return image
+    fitted = image.scaledToWidth(width, Qt.TransformationMode.SmoothTransformation)
+    fitted.setDevicePixelRatio(ratio)
+    return fitted
+
+
+def _blocks(document: QTextDocument) -> Iterator[QTextBlock]:
+    block = document.begin()
+    while block.isValid():
+        yield block
+        block = block.next()
+
+
+def _tables(frame: QTextFrame) -> Iterator[QTextTable]:
+    for child in frame.childFrames():
+        if isinstance(child, QTextTable):
+            yield child
+
+
+def _set_block(block: QTextBlock, theme: Theme) -> None:
+    """Set spaces and type of a paragraph, an entry of a list, a cell or a heading."""
+    level = block.blockFormat().headingLevel()
+    cursor = QTextCursor(block)
+    cursor.mergeBlockFormat(_spaces(level, in_list=block.textList() is not None, table=cursor.currentTable()))
+    for begin, end, had in _pieces(block):
+        cursor.setPosition(begin)
+        cursor.setPosition(end, QTextCursor.MoveMode.KeepAnchor)
+        cursor.setCharFormat(_type(had, level, theme))
+
+
+def _pieces(block: QTextBlock) -> list[tuple[int, int, QTextCharFormat]]:
+    """Return where each piece of one type begins and ends; setting one may join it with the next."""
+    found, at = [], block.begin()
+    while not at.atEnd():
+        piece = at.fragment()
+        found.append((piece.position(), piece.position() + piece.length(), piece.charFormat()))
+        at += 1
+    return found
+
+
+def _spaces(level: int, *, in_list: bool, table: QTextTable | None) -> QTextBlockFormat:
+    form = QTextBlockFormat()
+    percent = LINE_PERCENT if table is None else CELL_LINE_PERCENT
+    form.setLineHeight(percent, QTextBlockFormat.LineHeightTypes.ProportionalHeight.value)
+    form.setTopMargin(0 if table is not None or in_list else _SPACE_ABOVE.get(level, GRID))
+    form.setBottomMargin(0 if table is not None else (GRID / 2 if in_list else GRID))
+    return form
+
+
+def _type(had: QTextCharFormat, level: int, theme: Theme) -> QTextCharFormat:
+    """Return the type of a piece of text: of a heading, of a key, or plain."""
+    form = QTextCharFormat(had)
+    form.clearProperty(QTextFormat.Property.FontSizeAdjustment)
+    form.setProperty(QTextFormat.Property.FontPixelSize, getattr(theme.scale, _SIZES.get(level, "body")))
+    form.setForeground(theme.colour("text"))
+    if level or had.fontWeight() > QFont.Weight.Medium:
+        form.setFontWeight(QFont.Weight.DemiBold)
+    if had.fontFixedPitch() or had.hasProperty(_KEY):
+        form.setProperty(_KEY, True)
+        form.setFontFamilies([FAMILY])
+        form.setFontFixedPitch(False)
+        form.setFontWeight(QFont.Weight.Medium)
+        form.setBackground(theme.colour("ground"))
+    return form
+
+
+def _set_table(table: QTextTable, theme: Theme) -> None:
+    form = table.format()
+    form.setBorder(1)
+    form.setBorderCollapse(True)
+    form.setBorderBrush(QBrush(theme.colour("line")))
+    form.setBorderStyle(QTextFrameFormat.BorderStyle.BorderStyle_Solid)
+    form.setCellPadding(GRID)
+    form.setCellSpacing(0)
+    form.setTopMargin(GRID / 2)
+    form.setBottomMargin(2 * GRID)
+    form.setWidth(QTextLength(QTextLength.Type.PercentageLength, 100))
+    table.setFormat(form)
