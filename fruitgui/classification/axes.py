@@ -39,8 +39,14 @@ _SIZE = "size_root_area"
 _VOLUME = "volume_m3"
 _COLOURS = ("chroma_", "light_", "texture_", "colour_")
 _BLENDS = ("chroma_red_std", "chroma_green_std", "chroma_saturation_std")
-_OUTLINE = frozenset({"shape_fill", "shape_solidity", "shape_ellipse_error", "shape_lopsidedness", *_BLENDS})
-"""What a straight cut through an outline changes by more than fruit of a kind differ."""
+_OUTLINE = frozenset(
+    {
+        "shape_fill", "shape_solidity", "shape_ellipse_error", "shape_lopsidedness",
+        "length_m", "diameter_m", "perimeter_m", *_BLENDS,
+    }
+)  # fmt: skip
+"""What a straight cut through an outline changes by more than fruit of a kind differ, and callipers of all points
+together: they reach into whatever some frame did not part."""
 
 
 @dataclass(frozen=True, slots=True)

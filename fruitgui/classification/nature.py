@@ -74,9 +74,6 @@ NEIGHBOUR: dict[str, float] = {
     "size_width": 0.06,
     "size_root_area": 0.15,
     "volume_m3": 0.06,
-    "length_m": 0.075,
-    "diameter_m": 0.06,
-    "perimeter_m": 0.075,
     "height_m": 0.06,
 }
 """Standard deviations of what a neighbour that cuts the outline, or hides a foot, does besides: three or four pixels of

@@ -166,7 +166,7 @@ def test_fewer_views_than_in_training_reject_no_more(trained: Training[KindModel
 
 def test_what_touches_others_is_known_by_its_size_too(trained: Training[KindModel], orchard: Orchard) -> None:
     one = orchard.fruit(1, 12, np.random.default_rng(4))
-    swollen = one.fruit_features * np.array([8.0, 2.0, 2.0, 2.0])
+    swollen = one.fruit_features * np.array([125.0, 5.0, 5.0, 5.0])
     kinds = [
         trained.model.vote(Evidence(one.view_features, fruit, alone=False, whole=whole)).kind
         for fruit, whole in ((one.fruit_features, True), (swollen, True), (swollen, False))
