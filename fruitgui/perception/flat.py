@@ -73,7 +73,7 @@ class FlatFinder:
         rows, columns = half_of(*limits.shape)
         self._shape = ((rows + 1) // 2, (columns + 1) // 2)
         slope = np.maximum(limits.slope, 1e-3)
-        self._slope = np.ascontiguousarray(self._cells(limits.slope))
+        self._slope = self._cells(limits.slope)
         self._tall_mm = self._cells((1e3 * (limits.offset_m - TALL_M) / slope).astype(np.uint16))
         self._reach = self._cells(limits.farthest_mm) > 0
         smallest_px = limits.pixels_of(settings.smallest_m, limits.belt_z_m)
@@ -108,7 +108,7 @@ class FlatFinder:
 
     def _cells(self, picture: NDArray[Any]) -> NDArray[Any]:
         rows, columns = self._shape
-        return picture[::CELL, ::CELL][:rows, :columns]
+        return np.ascontiguousarray(picture[::CELL, ::CELL][:rows, :columns])
 
     def _unlike(self, cells: U8, seen: Bools) -> Bools:
         """Return where (h, w) the colour is not the belt's."""
