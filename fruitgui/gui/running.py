@@ -8,20 +8,22 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QDateTime, QLocale, QObject, QTimer, Signal
 
-from fruitgui.errors import FruitguiError, InputError
+from fruitgui.classification.evidence import UNKNOWN
+from fruitgui.errors import FruitguiError, InputError, WorldError
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.progress import Cancelled, Progress
+from fruitgui.records.lesson import Gathering
 from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.store import Store
 from fruitgui.records.totals import KindTotal
 from fruitgui.sensors.feed import Feed
 from fruitgui.station.fruit import Fruit
-from fruitgui.station.live import FLAT_OUT, LIVE, LiveLine, LiveState, Preview
+from fruitgui.station.live import FLAT_OUT, LIVE, Finished, LiveLine, LiveState, Preview
 from fruitgui.station.model import Model
 from fruitgui.station.sink import CountedFruit, Crop
 from fruitgui.station.station import Station
@@ -33,17 +35,49 @@ TICK_MS = 100
 CLOSE_S = 8.0
 
 
+class SetAside:
+    """Keeps unknown fruit so that a person can name them; on the line's thread, and never in the way of counting."""
+
+    def __init__(self, store: Store, source: str) -> None:
+        self._gathering = Gathering(store.teaching, source)
+        self.lost = 0
+
+    @property
+    def fruit(self) -> int:
+        """How many wait to be named."""
+        return self._gathering.fruit
+
+    def take(self, finished: Finished) -> None:
+        """Take a fruit that left, if it is unknown: a `Teacher`."""
+        if finished.fruit.kind == UNKNOWN:
+            self._gathering.take(finished)
+
+    def keep(self) -> None:
+        """Keep what was taken; what cannot be kept is counted all the same, and cannot be named."""
+        try:
+            self._gathering.keep()
+        except WorldError:
+            self.lost += 1
+
+
 class NotedSink:
-    """Keeps fruit in the store, and notes what is durable for the screen."""
+    """Keeps fruit in the store, and notes what is durable for the screen.
+
+    Attributes:
+        aside: keeps unknown fruit to be named, where that is wanted.
+    """
 
     def __init__(self, store: Store) -> None:
         self._store = store
         self._noted: deque[CountedFruit] = deque()
+        self.aside: SetAside | None = None
 
     def commit(self, lot: int, fruit: Fruit, crops: Sequence[Crop]) -> CountedFruit:
         """Keep one fruit, see `FruitSink.commit`."""
         counted = self._store.commit(lot, fruit, crops)
         self._noted.append(counted)
+        if self.aside is not None:
+            self.aside.keep()
         return counted
 
     def drain(self) -> list[CountedFruit]:
@@ -128,6 +162,11 @@ class Running(QObject):
         return self._state
 
     @property
+    def unnamed(self) -> int:
+        """How many unknown fruit of this run wait to be named."""
+        return 0 if self._sink.aside is None else self._sink.aside.fruit
+
+    @property
     def previews(self) -> dict[str, Preview]:
         """The newest pictures of the line."""
         return {} if self._line is None else self._line.previews
@@ -199,10 +238,11 @@ class Running(QObject):
             feed.stop()
             feed = plan.again()
         model = plan.model()
-        line = LiveLine(
-            feed, plan.station, model, BufferedSink(self._sink), intake=LIVE if plan.again is None else FLAT_OUT
-        )
+        aside = None if model is None else SetAside(self._store, _source_name())
+        intake, teacher = LIVE if plan.again is None else FLAT_OUT, None if aside is None else aside.take
+        line = LiveLine(feed, plan.station, model, BufferedSink(self._sink), None, intake, teacher)
         lot = begin()
+        self._sink.aside = aside
         totals = self._store.lots.totals(lot.key)
         line.count_into(None if lot.paused else lot.key)
         line.start()
@@ -285,3 +325,9 @@ class Running(QObject):
                 QCoreApplication.translate("Running", "The lot is still open: go on with it on the live screen."),
             )
         )
+
+
+def _source_name() -> str:
+    """Return what unknown fruit of a run are said to come from."""
+    began = QLocale().toString(QDateTime.currentDateTime(), QLocale.FormatType.ShortFormat)
+    return QCoreApplication.translate("Running", "Unknown, {time}").format(time=began)

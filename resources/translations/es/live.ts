@@ -87,6 +87,10 @@
         <translation>Detener la línea, contar lo que está a la vista y terminar el lote</translation>
     </message>
     <message>
+        <source>Give the fruit that were set aside as unknown their kinds; the line goes on</source>
+        <translation>Dé su tipo a las frutas apartadas como desconocidas; la línea sigue</translation>
+    </message>
+    <message>
         <source>Outlines</source>
         <translation>Contornos</translation>
     </message>
@@ -121,6 +125,10 @@
     <message>
         <source>Lot {name} is running.</source>
         <translation>El lote {name} está en marcha.</translation>
+    </message>
+    <message>
+        <source>Name unknown fruit: {count}</source>
+        <translation>Nombrar desconocidas: {count}</translation>
     </message>
 </context>
 <context>

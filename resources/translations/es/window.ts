@@ -136,6 +136,10 @@
         <source>The lot is still open: go on with it on the live screen.</source>
         <translation>El lote sigue abierto: continúelo en la pantalla En vivo.</translation>
     </message>
+    <message>
+        <source>Unknown, {time}</source>
+        <translation>Desconocidas, {time}</translation>
+    </message>
 </context>
 <context>
     <name>SettingsDialog</name>

@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
+from fruitgui.gui.numbers import count_text
 from fruitgui.gui.running import Running
 from fruitgui.gui.session import Session
 from fruitgui.gui.step_words import reason_text
@@ -72,12 +73,14 @@ class LivePage(StepPage):
     def _make_actions(self) -> None:
         self.start, self.take_up = QAction(self), QAction(self)
         self.pause, self.resume, self.end = QAction(self), QAction(self), QAction(self)
+        self.name = QAction(self)
         for action, name, key, does in (
             (self.start, "play", "Ctrl+Return", self._ask),
             (self.take_up, "play", "Ctrl+Return", self._take_up),
             (self.pause, "pause", "Ctrl+Space", self._running.pause),
             (self.resume, "play", "Ctrl+Space", self._running.resume),
             (self.end, "stop", "Ctrl+E", self._running.end_lot),
+            (self.name, "teach", "N", self._name_unknown),
         ):
             action.setProperty("drawing", name)
             action.setShortcut(QKeySequence(key))
@@ -107,6 +110,8 @@ class LivePage(StepPage):
         self.resume.setText(self.tr("Go on"))
         self.end.setText(self.tr("End lot"))
         self.end.setToolTip(self.tr("Stop the line, count what is in view, end the lot"))
+        self.name.setToolTip(self.tr("Give the fruit that were set aside as unknown their kinds; the line goes on"))
+        self._say_unnamed()
         for name, text in (
             ("outlines", self.tr("Outlines")),
             ("labels", self.tr("Labels")),
@@ -131,12 +136,20 @@ class LivePage(StepPage):
             self.offer(self.take_up)
             self.say(self.tr("Lot {name} is still open; every fruit that was counted is kept.").format(name=lot.name))
         elif lot.paused:
-            self.offer(self.resume, self.end)
+            self.offer(self.resume, self.name, self.end)
             self.say(self.tr("Lot {name} is paused: fruit pass uncounted.").format(name=lot.name))
         else:
-            self.offer(self.end, self.pause)
+            self.offer(self.end, self.name, self.pause)
             self.say(self.tr("Lot {name} is running.").format(name=lot.name))
         self._show_sensors()
+
+    def _say_unnamed(self) -> None:
+        count = self._running.unnamed
+        self.name.setText(self.tr("Name unknown fruit: {count}").format(count=count_text(count)))
+        self.name.setVisible(count > 0)
+
+    def _name_unknown(self) -> None:
+        self.step_wanted.emit(Step.TEACH)
 
     def _show_sensors(self) -> None:
         feed = self._session.connected.feed
@@ -171,6 +184,7 @@ class LivePage(StepPage):
         if state is not None:
             self.body.belt.show_map(presenter.belt_map(state, self._marks))
             self.body.last.show_fruit(presenter.last_fruit(state.last, self._marks))
+        self._say_unnamed()
         if self._looks % HISTOGRAM_EVERY == 0:
             histogram = tally.histogram()
             low, high = (0.0, 1.0) if histogram is None else (histogram.low_ml, histogram.high_ml)
