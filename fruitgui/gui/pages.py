@@ -12,6 +12,7 @@ from fruitgui.gui.steps.live.page import LivePage
 from fruitgui.gui.steps.lots.page import LotsPage
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.steps.teach.page import TeachPage
+from fruitgui.gui.steps.train.page import TrainPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.station.workflow import Step
 
@@ -22,6 +23,7 @@ MAKERS: Mapping[Step, PageMaker] = {
     Step.CALIBRATE: CalibratePage,
     Step.BELT: BeltPage,
     Step.TEACH: TeachPage,
+    Step.TRAIN: TrainPage,
     Step.LIVE: LivePage,
     Step.LOTS: LotsPage,
 }

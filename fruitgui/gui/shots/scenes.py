@@ -9,5 +9,6 @@ from fruitgui.gui.steps.connect.shots import SCENES as CONNECT
 from fruitgui.gui.steps.live.shots import SCENES as LIVE
 from fruitgui.gui.steps.lots.shots import SCENES as LOTS
 from fruitgui.gui.steps.teach.shots import SCENES as TEACH
+from fruitgui.gui.steps.train.shots import SCENES as TRAIN
 
-SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE, *BELT, *TEACH, *LIVE, *LOTS)
+SCENES: tuple[Scene, ...] = (*CONNECT, *CALIBRATE, *BELT, *TEACH, *TRAIN, *LIVE, *LOTS)

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, 
 from PySide6.QtWidgets import QAbstractItemView, QListView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from fruitgui.gui.steps.teach.fruit_model import KEY, FruitModel, Index
-from fruitgui.gui.steps.teach.tile import Tile, Tiles
+from fruitgui.gui.steps.teach.tile import Tile, TileSource
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
@@ -52,7 +52,7 @@ def paint_view(painter: QPainter, box: QRectF, view: ViewPictures | None, theme:
 class TileDelegate(QStyledItemDelegate):
     """Paints one fruit."""
 
-    def __init__(self, theme: Theme, tiles: Tiles, side: int, parent: QWidget | None = None) -> None:
+    def __init__(self, theme: Theme, tiles: TileSource, side: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
         self._tiles = tiles
@@ -140,7 +140,7 @@ class FruitGrid(QListView):
 
     chosen_changed = Signal()
 
-    def __init__(self, model: FruitModel, tiles: Tiles, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(self, model: FruitModel, tiles: TileSource, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._model = model
         self._delegate = TileDelegate(theme, tiles, USUAL, self)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Protocol
 
 from PySide6.QtCore import QCoreApplication
 
@@ -35,6 +36,13 @@ class Tile:
     other: KindMark | None = None
     short: str = ""
     sure: str = ""
+
+
+class TileSource(Protocol):
+    """Says what tiles show."""
+
+    def tile(self, key: int) -> Tile:
+        """Return what is shown of a fruit."""
 
 
 class Tiles:
