@@ -112,8 +112,11 @@ def _set_block(block: QTextBlock, theme: Theme) -> None:
     """Set spaces and type of a paragraph, an entry of a list, a cell or a heading."""
     level = block.blockFormat().headingLevel()
     cursor = QTextCursor(block)
+    pieces = _pieces(block)
     cursor.mergeBlockFormat(_spaces(level, in_list=block.textList() is not None, table=cursor.currentTable()))
-    for begin, end, had in _pieces(block):
+    if any(had.isImageFormat() for _, _, had in pieces):
+        cursor.mergeBlockFormat(_lines(100.0))  # of a picture's height, more would be a hole below it
+    for begin, end, had in pieces:
         cursor.setPosition(begin)
         cursor.setPosition(end, QTextCursor.MoveMode.KeepAnchor)
         cursor.setCharFormat(_type(had, level, theme))
@@ -130,11 +133,15 @@ def _pieces(block: QTextBlock) -> list[tuple[int, int, QTextCharFormat]]:
 
 
 def _spaces(level: int, *, in_list: bool, table: QTextTable | None) -> QTextBlockFormat:
-    form = QTextBlockFormat()
-    percent = LINE_PERCENT if table is None else CELL_LINE_PERCENT
-    form.setLineHeight(percent, QTextBlockFormat.LineHeightTypes.ProportionalHeight.value)
+    form = _lines(LINE_PERCENT if table is None else CELL_LINE_PERCENT)
     form.setTopMargin(0 if table is not None or in_list else _SPACE_ABOVE.get(level, GRID))
     form.setBottomMargin(0 if table is not None else (GRID / 2 if in_list else GRID))
+    return form
+
+
+def _lines(percent: float) -> QTextBlockFormat:
+    form = QTextBlockFormat()
+    form.setLineHeight(percent, QTextBlockFormat.LineHeightTypes.ProportionalHeight.value)
     return form
 
 
