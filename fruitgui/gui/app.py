@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QIcon, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QDialog
 
+from fruitgui.errors import FruitguiError
 from fruitgui.gui.gc_confinement import ConfinedCollector
 from fruitgui.gui.health import HealthWatch
 from fruitgui.gui.help_window import HelpWindow
@@ -18,13 +19,15 @@ from fruitgui.gui.logs import Logs
 from fruitgui.gui.pages import make_pages
 from fruitgui.gui.session import Session
 from fruitgui.gui.settings_dialog import SettingsDialog
+from fruitgui.gui.store_trouble import StoreTrouble, opened
 from fruitgui.gui.tasks import unexpected_error
 from fruitgui.gui.theme.theme import Theme, load_fonts
 from fruitgui.gui.translate import Language
 from fruitgui.gui.window import MainWindow
 from fruitgui.resources import folder
+from fruitgui.station.settings import Settings
 from fruitgui.station.workflow import opening_step
-from fruitgui.station.workspace import open_workspace
+from fruitgui.station.workspace import Workspace, open_workspace
 
 WAKE_MS = 200
 """How often Python gets a look in while Qt waits, so that an interrupt from the keyboard is heard."""
@@ -36,15 +39,16 @@ class Application(QObject):
     def __init__(self, qt: QApplication, workspace_folder: Path | None) -> None:
         super().__init__()
         self._qt = qt
-        self.session = Session(open_workspace(workspace_folder), self)
         self.theme = Theme(parent=self)
         self.language = Language(self)
+        load_fonts()
+        workspace = open_workspace(workspace_folder)
+        self.session = opened(lambda: Session(workspace, self), lambda error: self._trouble(workspace, error))
         self._logs = Logs(self.session.workspace.folder)
         self._collector = ConfinedCollector(self)
         self._help: HelpWindow | None = None
         self._settings: SettingsDialog | None = None
-        load_fonts()
-        self._dress()
+        self._dress(self.session.settings)
         self.window = MainWindow(
             self.theme, self.session.messages, self.session.tasks, make_pages(self.session, self.theme), self._close
         )
@@ -75,7 +79,7 @@ class Application(QObject):
         return True
 
     def _connect(self) -> None:
-        self.session.settings_changed.connect(self._dress)
+        self.session.settings_changed.connect(self._dress_anew)
         self.session.states_changed.connect(self._show_states)
         bar = self.window.top_bar
         bar.theme_wanted.connect(self._other_theme)
@@ -86,8 +90,14 @@ class Application(QObject):
         QShortcut(QKeySequence("Ctrl+T"), self.window, self._other_theme)
         QShortcut(QKeySequence("F11"), self.window, self._full_screen)
 
-    def _dress(self) -> None:
-        settings = self.session.settings
+    def _trouble(self, workspace: Workspace, error: FruitguiError) -> StoreTrouble:
+        self._dress(workspace.settings.load().value or Settings())
+        return StoreTrouble(workspace.folder, error)
+
+    def _dress_anew(self) -> None:
+        self._dress(self.session.settings)
+
+    def _dress(self, settings: Settings) -> None:
         theme = settings.theme
         if theme == "system":
             light = self._qt.styleHints().colorScheme() == Qt.ColorScheme.Light
@@ -139,7 +149,7 @@ def run(workspace_folder: Path | None = None) -> int:
     """Open the window and return the exit code when it is closed.
 
     Raises:
-        WorldError: the workspace's folder cannot be made.
+        WorldError: the workspace's folder cannot be made; or its records cannot be opened, and the person gave up.
     """
     qt = make_qt()
     application = Application(qt, workspace_folder)

@@ -33,7 +33,9 @@ class _Asked:
 
 
 class Queries(QObject):
-    """Asks one question at a time, in order; answers come on the window's thread.
+    """Does one thing at a time: changes first, then questions in order, then those that can wait.
+
+    Answers come on the window's thread.
 
     A thread lives while there is something to ask. Of questions under one name only the newest is answered: a list
     that was scrolled on, a search that was typed further. Changes are all made, even when the window closes.
@@ -47,7 +49,9 @@ class Queries(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._lock = threading.Lock()
-        self._waiting: deque[_Asked] = deque()
+        self._changes: deque[_Asked] = deque()
+        self._questions: deque[_Asked] = deque()
+        self._patient: deque[_Asked] = deque()
         self._done: deque[_Asked] = deque()
         self._newest: dict[str, _Asked] = {}
         self._working = False
@@ -58,29 +62,38 @@ class Queries(QObject):
     def busy(self) -> bool:
         """Whether something was asked and not answered yet."""
         with self._lock:
-            return self._working or bool(self._waiting or self._done)
+            return self._working or bool(self._changes or self._questions or self._patient or self._done)
 
     def ask(self, name: str, question: Callable[[], T], answer: Callable[[T], None]) -> None:
         """Ask for what `question` returns; an older one of the same name is forgotten."""
-        asked = _Asked(name, question, answer)
-        with self._lock:
-            self._waiting = deque(one for one in self._waiting if one.name != name)
-        self._newest[name] = asked
-        self._put(asked)
+        self._ask(self._questions, _Asked(name, question, answer))
+
+    def ask_later(self, name: str, question: Callable[[], T], answer: Callable[[T], None]) -> None:
+        """Ask for what takes longer, when nothing else is to be done; see `ask`."""
+        self._ask(self._patient, _Asked(name, question, answer))
 
     def change(self, change: Callable[[], T], done: Callable[[T], None]) -> None:
-        """Do what changes the store, after all that was asked before; it is never dropped."""
-        self._put(_Asked("", change, done))
+        """Do what changes the store, before any question that waits; it is never dropped."""
+        self._put(self._changes, _Asked("", change, done))
 
     def rest(self) -> None:
         """Forget all questions; changes are made nonetheless."""
         self._newest.clear()
         with self._lock:
-            self._waiting = deque(one for one in self._waiting if not one.name)
+            self._questions.clear()
+            self._patient.clear()
 
-    def _put(self, asked: _Asked) -> None:
+    def _ask(self, queue: deque[_Asked], asked: _Asked) -> None:
+        before = self._newest.get(asked.name)
+        self._newest[asked.name] = asked
         with self._lock:
-            self._waiting.append(asked)
+            if before is not None and before in queue:
+                queue.remove(before)
+        self._put(queue, asked)
+
+    def _put(self, queue: deque[_Asked], asked: _Asked) -> None:
+        with self._lock:
+            queue.append(asked)
             start, self._working = not self._working, True
         if start:
             threading.Thread(target=self._work, name="queries").start()
@@ -89,10 +102,11 @@ class Queries(QObject):
     def _work(self) -> None:
         while True:
             with self._lock:
-                if not self._waiting:
+                queue = self._changes or self._questions or self._patient
+                if not queue:
                     self._working = False
                     return
-                asked = self._waiting.popleft()
+                asked = queue.popleft()
             _answer(asked)
             with self._lock:
                 self._done.append(asked)

@@ -188,6 +188,15 @@ def test_a_fruit_is_opened_large_and_corrected_by_key(qtbot: QtBot, page: LotsPa
     qtbot.waitUntil(lambda: not panel.opened)
 
 
+def test_a_press_on_a_picture_opens_its_fruit(qtbot: QtBot, page: LotsPage) -> None:
+    _at_fruit(qtbot, page)
+    table = page.lot.fruit.table
+    place = table.view.visualRect(table.model.index(2, COLUMNS.index(Column.PICTURE))).center()
+    qtbot.mouseClick(table.view.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    qtbot.waitUntil(lambda: page.lot.fruit.opened)
+    assert page.lot.fruit.large.title.text().endswith("No. 3")
+
+
 def test_several_fruit_are_left_out_at_once_and_put_back(qtbot: QtBot, page: LotsPage, run_session: Session) -> None:
     _at_fruit(qtbot, page)
     panel = page.lot.fruit
@@ -200,7 +209,7 @@ def test_several_fruit_are_left_out_at_once_and_put_back(qtbot: QtBot, page: Lot
     qtbot.waitUntil(lambda: panel.table.model.rowCount() == MANY - 3)
     assert run_session.messages.history[-1].what == "3 fruit left out."
     qtbot.waitUntil(lambda: page.lot.summary.fruit.value.text() == "1\u202f997")
-    assert "3 corrected by hand, 3 of them left out" in page.lot.summary.when.text()
+    assert "3 corrected by hand, 3 of them left out" in page.lot.summary.fruit.more.text()
     _at_fruit(qtbot, page, Show.LEFT_OUT)
     assert panel.table.model.rowCount() == 3
     undo = run_session.messages.history[-1].act

@@ -22,7 +22,8 @@ from fruitgui.gui.steps.lots.hand import Deed, Undo, Word, undoing
 from fruitgui.gui.steps.lots.handing_on import file_name
 from fruitgui.gui.steps.lots.lot_entry import LotState, Period, bounds_s, lot_entry, state_of
 from fruitgui.gui.steps.lots.paged import Pages
-from fruitgui.gui.steps.lots.words import duration_text, litres_text, quantity_text
+from fruitgui.gui.steps.lots.words import litres_text, quantity_text
+from fruitgui.gui.times import duration_text
 from fruitgui.gui.view_pictures import view_pictures
 from fruitgui.measurement.fruit import Quantity
 from fruitgui.records.fruit_search import FruitQuery

@@ -46,6 +46,18 @@ def test_of_questions_under_one_name_only_the_newest_is_answered(qtbot: QtBot, q
     assert asked == [4], "questions that wait are not even asked when a newer one comes"
 
 
+def test_changes_go_first_and_what_takes_long_goes_last(qtbot: QtBot, queries: Queries) -> None:
+    gate, done = threading.Event(), []
+    queries.ask("first", lambda: gate.wait(5), lambda _: None)
+    queries.ask_later("long", lambda: done.append("long"), lambda _: None)
+    queries.ask("short", lambda: done.append("short"), lambda _: None)
+    queries.change(lambda: done.append("change"), lambda _: None)
+    queries.ask_later("long", lambda: done.append("long again"), lambda _: None)
+    gate.set()
+    qtbot.waitUntil(lambda: not queries.busy)
+    assert done == ["change", "short", "long again"]
+
+
 def test_changes_are_all_made_even_when_the_questions_are_forgotten(qtbot: QtBot, queries: Queries) -> None:
     gate, done, answers = threading.Event(), [], []
     queries.ask("list", lambda: gate.wait(5), lambda _: answers.append("list"))

@@ -35,7 +35,7 @@ KINDS: Mapping[str, tuple[float, float, float]] = {
 DENSITY_KG_M3 = {"lemon": 950.0, "red apple": 840.0, "green apple": 845.0}
 LEAST_HEIGHT_M = 0.012
 DAY_S = 86_400.0
-NOW_S = 1_805_000_000.0
+NOW_S = 1_773_473_400.0
 GROWERS = ("Fundo El Peñón", "Agrícola Los Aromos", "Hermanas Riquelme", "Viña Vieja", "Parcela 14")
 
 

@@ -667,7 +667,7 @@
     </message>
     <message>
         <source>Sure</source>
-        <translation>Segura</translation>
+        <translation>Certeza</translation>
     </message>
     <message>
         <source>Views</source>
@@ -781,8 +781,8 @@
         <translation>Las teclas 1 a 9 dan la clase, Supr descarta, RePág y AvPág recorren la lista.</translation>
     </message>
     <message>
-        <source>Return opens a fruit. Keys 1 to 9 name all that are chosen, Delete leaves them out.</source>
-        <translation>Intro abre una fruta. Las teclas 1 a 9 dan clase a todas las elegidas, Supr las descarta.</translation>
+        <source>A picture or Return opens a fruit. Keys 1 to 9 name the chosen ones, Delete leaves them out.</source>
+        <translation>Una imagen o Intro abre una fruta. Las teclas 1 a 9 dan clase a las elegidas, Supr las descarta.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -933,8 +933,8 @@
         <translation>De esta fruta no se guarda un recorrido.</translation>
     </message>
     <message>
-        <source>→ its way over the belt from above: {length} in {time}</source>
-        <translation>→ su recorrido sobre la cinta desde arriba: {length} en {time}</translation>
+        <source>→ way over the belt: {length} in {time}</source>
+        <translation>→ recorrido en la cinta: {length} en {time}</translation>
     </message>
 </context>
 </TS>

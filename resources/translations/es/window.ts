@@ -350,6 +350,77 @@
     </message>
 </context>
 <context>
+    <name>StoreTrouble</name>
+    <message>
+        <source>fruitgui: the records cannot be opened</source>
+        <translation>fruitgui: no se pueden abrir los registros</translation>
+    </message>
+    <message>
+        <source>The records cannot be opened</source>
+        <translation>No se pueden abrir los registros</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Intentar de nuevo</translation>
+    </message>
+    <message>
+        <source>Try to open the records once more</source>
+        <translation>Intentar abrir los registros una vez más</translation>
+    </message>
+    <message>
+        <source>Begin anew</source>
+        <translation>Empezar de cero</translation>
+    </message>
+    <message>
+        <source>Keep the damaged file aside, unharmed, and begin an empty one</source>
+        <translation>Guardar aparte el archivo dañado, sin tocarlo, y empezar uno vacío</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Restaurar</translation>
+    </message>
+    <message>
+        <source>Go back to this backup; what is there now is kept aside</source>
+        <translation>Volver a este respaldo; lo que hay ahora se guarda aparte</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Change nothing and end the program</source>
+        <translation>No cambiar nada y terminar el programa</translation>
+    </message>
+    <message>
+        <source>Looking for the last good backup …</source>
+        <translation>Buscando el último respaldo bueno …</translation>
+    </message>
+    <message>
+        <source>Restoring the backup …</source>
+        <translation>Restaurando el respaldo …</translation>
+    </message>
+    <message>
+        <source>The last good backup is of {when}. What was counted after it is kept aside.</source>
+        <translation>El último respaldo bueno es del {when}. Lo contado después se guarda aparte.</translation>
+    </message>
+    <message>
+        <source>Restore the backup of {when}</source>
+        <translation>Restaurar el respaldo del {when}</translation>
+    </message>
+    <message>
+        <source>There is no good backup in this line&apos;s folder.</source>
+        <translation>No hay un respaldo bueno en la carpeta de esta línea.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed, and nothing is lost.</source>
+        <translation>No se cambió nada ni se perdió nada.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be renamed. Check that its folder may be written to.</source>
+        <translation>No se puede cambiar el nombre de {file}. Revise que se pueda escribir en su carpeta.</translation>
+    </message>
+</context>
+<context>
     <name>TopBar</name>
     <message>
         <source>Light or dark (Ctrl+T)</source>

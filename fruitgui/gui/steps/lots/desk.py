@@ -95,7 +95,7 @@ class Desk(QObject):
         """Ask how a lot's measures are spread, one after the other."""
         for measured in SPREAD:
             read = partial(self._store.fruit.distribution, lot, measured, BINS)
-            self.queries.ask(f"spread of {measured}", read, partial(self.spread_read.emit, lot))
+            self.queries.ask_later(f"spread of {measured}", read, partial(self.spread_read.emit, lot))
 
     def ask_fruit(self, wanted: Wanted, page: int, size: int) -> None:
         """Ask for a page of fruit, and then for their pictures."""

@@ -11,16 +11,8 @@ from PySide6.QtCore import QCoreApplication
 
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import THIN, count_text, number_text
-from fruitgui.gui.steps.lots.words import (
-    NONE,
-    clock_text,
-    duration_text,
-    kilograms_text,
-    litres_text,
-    measure_text,
-    moment_text,
-    why_text,
-)
+from fruitgui.gui.steps.lots.words import NONE, kilograms_text, litres_text, measure_text, why_text
+from fruitgui.gui.times import clock_text, duration_text, moment_text
 from fruitgui.measurement.fruit import Quantity
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot

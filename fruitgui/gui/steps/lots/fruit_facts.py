@@ -8,8 +8,9 @@ from PySide6.QtCore import QCoreApplication
 
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import THIN, count_text, number_text, percent_text
-from fruitgui.gui.steps.lots.words import NONE, UNITS, measure_text, moment_text
+from fruitgui.gui.steps.lots.words import NONE, UNITS, measure_text
 from fruitgui.gui.theme.kinds import UNKNOWN
+from fruitgui.gui.times import moment_text
 from fruitgui.records.correcting import Correction
 from fruitgui.records.fruit_record import FruitRecord
 

@@ -230,6 +230,6 @@ class WayView(QWidget):
     def _words(self) -> str:
         if self._way is None:
             return self.tr("No path is kept of this fruit.")
-        text = self.tr("→ its way over the belt from above: {length} in {time}")
+        text = self.tr("→ way over the belt: {length} in {time}")
         length = f"{number_text(self._way.length_m * 100, 0)}{THIN}cm"
         return text.format(length=length, time=f"{number_text(self._way.duration_s, 1)}{THIN}s")

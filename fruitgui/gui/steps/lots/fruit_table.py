@@ -237,6 +237,7 @@ class FruitTable(QWidget):
         self.view.horizontalHeader().sectionClicked.connect(self._sort)
         self.view.verticalScrollBar().valueChanged.connect(self._look)
         self.view.doubleClicked.connect(self._open)
+        self.view.clicked.connect(self._pressed)
         self.view.installEventFilter(self)
         self.view.selectionModel().selectionChanged.connect(self.chosen_changed)
         self.show_box.currentIndexChanged.connect(self._filter)
@@ -281,6 +282,11 @@ class FruitTable(QWidget):
             self._wanted = wanted
             self.model.show_order(wanted.column, falling=wanted.falling)
             self.wanted_changed.emit()
+
+    def _pressed(self, index: QModelIndex) -> None:
+        """Open a fruit at a press on its picture: two quick ones are hard with gloves."""
+        if COLUMNS[index.column()] is Column.PICTURE:
+            self._open(index)
 
     def _open(self, index: QModelIndex) -> None:
         if index.isValid():

@@ -9,7 +9,8 @@ from enum import StrEnum
 from PySide6.QtCore import QCoreApplication
 
 from fruitgui.gui.numbers import THIN, count_text, number_text
-from fruitgui.gui.steps.lots.words import L_PER_M3, moment_text
+from fruitgui.gui.steps.lots.words import L_PER_M3
+from fruitgui.gui.times import moment_text
 from fruitgui.records.lot import Lot
 from fruitgui.records.lot_search import LotLine
 

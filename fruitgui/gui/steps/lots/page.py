@@ -37,6 +37,7 @@ class LotsPage(StepPage):
         self._session = session
         self._chosen: int | None = None
         self._looks = 0
+        self._spreads_old = True
         self._in_view = False
         self._line_lot: int | None = None
         self.desk = Desk(session.store, self)
@@ -110,7 +111,7 @@ class LotsPage(StepPage):
         desk.corrected.connect(self._corrected)
         desk.failed.connect(self._session.messages.error)
         self._session.running.changed.connect(self._follow_line)
-        self.lot.turned.connect(self._show)
+        self.lot.turned.connect(self._turned)
         self._look.timeout.connect(self._look_again)
         self.report_action.triggered.connect(self._hand_on_report)
         self.table_action.triggered.connect(self._hand_on_table)
@@ -173,9 +174,13 @@ class LotsPage(StepPage):
             return self.tr("Look through the fruit, correct what is wrong, then hand on the report.")
         if self.lot.fruit.opened:
             return self.tr("Keys 1 to 9 name the fruit, Delete leaves it out, PgUp and PgDn go through the list.")
-        return self.tr("Return opens a fruit. Keys 1 to 9 name all that are chosen, Delete leaves them out.")
+        return self.tr("A picture or Return opens a fruit. Keys 1 to 9 name the chosen ones, Delete leaves them out.")
 
     # what is asked and answered
+
+    def _turned(self) -> None:
+        self._show()
+        self._read_spreads()
 
     def _ask_lots(self, page: int) -> None:
         from_s, to_s = self.lots.bounds_s()
@@ -198,6 +203,13 @@ class LotsPage(StepPage):
     def _read_lot(self) -> None:
         if self._chosen is not None:
             self.desk.ask_lot(self._chosen)
+            self._spreads_old = True
+            self._read_spreads()
+
+    def _read_spreads(self) -> None:
+        """Read how sizes are spread, when it is looked at; it takes longest."""
+        if self._chosen is not None and self._spreads_old and not self.lot.at_fruit:
+            self._spreads_old = False
             self.desk.ask_spreads(self._chosen)
 
     def _take_lot(self, read: ReadLot) -> None:
@@ -213,7 +225,8 @@ class LotsPage(StepPage):
         self._looks += 1
         self.desk.ask_lot(self._chosen)
         if self._looks % SPREADS_EVERY == 0:
-            self.desk.ask_spreads(self._chosen)
+            self._spreads_old = True
+            self._read_spreads()
         if not self.lot.fruit.opened:
             self.lot.fruit.table.model.refresh()
 

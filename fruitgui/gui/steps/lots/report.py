@@ -13,18 +13,9 @@ from fruitgui.gui.kind_words import kind_name, kinds_in_order
 from fruitgui.gui.numbers import THIN, count_text, number_text
 from fruitgui.gui.steps.lots.figures import model_name, of_text, spans
 from fruitgui.gui.steps.lots.sheet import BODY, BODY_DIM, DIM, LINE, SECTION, SMALL, STRONG, TITLE, Sheet
-from fruitgui.gui.steps.lots.words import (
-    NONE,
-    SPREAD,
-    UNITS,
-    duration_text,
-    kilograms_text,
-    litres_text,
-    measure_name,
-    measure_text,
-    moment_text,
-)
+from fruitgui.gui.steps.lots.words import NONE, SPREAD, UNITS, kilograms_text, litres_text, measure_name, measure_text
 from fruitgui.gui.theme.kinds import UNKNOWN, KindMark, kind_marks
+from fruitgui.gui.times import duration_text, moment_text
 from fruitgui.gui.widgets.histogram import ticks
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
@@ -40,7 +31,7 @@ PLOT_PT, AXIS_PT = 110.0, 14.0
 COLUMNS_PT = (0.24, 0.09, 0.10, 0.18, 0.19, 0.20)
 """Shares of the width that the columns of the table of kinds have."""
 
-LISTED_PT = (0.16, 0.2, 0.32, 0.32)
+LISTED_PT = (0.14, 0.2, 0.06, 0.3, 0.3)
 """The same of the list of corrected fruit."""
 
 MOST_LISTED = 60
@@ -238,17 +229,18 @@ def _list_corrected(sheet: Sheet, report: LotReport, corrected: Sequence[FruitRe
     heads = (
         translate("LotReport", "Fruit No."),
         translate("LotReport", "Volume"),
+        "",
         translate("LotReport", "The machine said"),
         translate("LotReport", "A person said"),
     )
-    sheet.row(heads, widths, SMALL, 14)
+    sheet.row(heads, widths, SMALL, 14, left=(0, 3, 4))
     for one in corrected:
         machine = translate("LotReport", "not seen") if one.machine_kind is None else kind_name(one.machine_kind)
         person = kind_name(one.kind) if one.counted else translate("LotReport", "left out")
         sheet.room(15)
         sheet.line(0, sheet.width)
         volume = measure_text("volume_m3", one.volume_m3)
-        sheet.row((count_text(one.number), volume, machine, person), widths, BODY, 15)
+        sheet.row((count_text(one.number), volume, "", machine, person), widths, BODY, 15, left=(0, 3, 4))
     more = report.corrected - len(corrected)
     if more > 0:
         text = translate("LotReport", "And {count} more; the table of all fruit (CSV) has every one.")

@@ -135,12 +135,13 @@ class Sheet:
         """Fill a box."""
         self._painter.fillRect(_scaled(box), QColor(colour))
 
-    def row(self, texts: Sequence[str], widths: Sequence[float], style: Style = BODY, height: float = 17.0) -> None:
-        """Write a row of a table: the first to the left, the others to the right."""
+    def row(self, texts: Sequence[str], widths: Sequence[float], style: Style = BODY, height: float = 17.0, *,
+            left: Sequence[int] = (0,)) -> None:  # fmt: skip
+        """Write a row of a table: the columns in `left` to the left, the others to the right."""
         self.room(height)
         x = 0.0
         for number, (text, width) in enumerate(zip(texts, widths, strict=True)):
-            side = LEFT if number == 0 else RIGHT
+            side = LEFT if number in left else RIGHT
             shown = self.elided(text, style, width - (4 if number else 8))
             self.text(QRectF(x, self.y, width, height), shown, style, side | Qt.AlignmentFlag.AlignVCenter)
             x += width

@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QMessageBox, QWidget
 
 from fruitgui.errors import FruitguiError, InputError
 from fruitgui.gui.messages import Messages
-from fruitgui.gui.steps.lots.words import moment_text
 from fruitgui.gui.tasks import TaskRunner
+from fruitgui.gui.times import moment_text
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.backup import Backup, back_up, backup_path
 from fruitgui.records.restore import find_backups, forget_restore, is_prepared, prepare_restore

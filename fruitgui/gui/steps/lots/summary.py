@@ -21,18 +21,19 @@ from fruitgui.gui.steps.lots.figures import (
     times_text,
 )
 from fruitgui.gui.steps.lots.spreads import Spreads
-from fruitgui.gui.steps.lots.words import clock_text, duration_text, kilograms_text, litres_text
+from fruitgui.gui.steps.lots.words import kilograms_text, litres_text
 from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.times import clock_text, duration_text
 from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.records.distribution import Distribution
 
-ROW, HEAD = 34, 26
+ROW, HEAD = 28, 24
 FIGURE_WIDTH, NAME_WIDTH = 128, 130
 TIMES_HEIGHT, BAND = 36, 12
-SPREADS_HEIGHT = 250
+SPREADS_HEIGHT = 220
 
 
 class KindTable(QWidget):
@@ -76,7 +77,7 @@ class KindTable(QWidget):
         theme = self._theme
         painter.setPen(theme.colour("line"))
         painter.drawLine(box.topLeft(), box.topRight())
-        side = 22.0
+        side = 20.0
         mark = self._marks.get(row.kind)
         if mark is not None:
             paint_mark(painter, QRectF(box.left(), box.center().y() - side / 2, side, side), mark)
@@ -186,7 +187,7 @@ class Summary(QScrollArea):
         for one in (self.when, self.note):
             one.setWordWrap(True)
         figures = QHBoxLayout()
-        figures.setSpacing(4 * GRID)
+        figures.setSpacing(5 * GRID)
         for figure in (self.fruit, self.volume, self.mass):
             figures.addWidget(figure)
         figures.addStretch()
@@ -231,7 +232,9 @@ class Summary(QScrollArea):
         figures = self._figures
         if figures is None:
             return
-        self.fruit.show_words(self.tr("Fruit"), count_text(figures.fruit), rate_text(figures))
+        self.fruit.show_words(
+            self.tr("Fruit"), count_text(figures.fruit), f"{rate_text(figures)} · {corrected_text(figures)}"
+        )
         self.volume.show_words(
             self.tr("Total volume"), litres_text(figures.volume_m3), of_text(figures.measured, figures.fruit)
         )
@@ -239,7 +242,7 @@ class Summary(QScrollArea):
             self.tr("Total mass"), kilograms_text(figures.mass_kg),
             of_text(figures.weighed, figures.fruit) if figures.weighed else self.tr("no density is known"),
         )  # fmt: skip
-        self.when.setText(f"{times_text(figures.lot, figures.now_s)} · {corrected_text(figures)}")
+        self.when.setText(times_text(figures.lot, figures.now_s))
         note = self.tr(
             "± is half the width of a 95 % interval. That of sums and means holds what fruit do not share: errors that "
             "all have in common (the rig's scale, a kind's correction) are not in it."

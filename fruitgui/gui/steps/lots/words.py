@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QCoreApplication, QDateTime, QLocale
+from PySide6.QtCore import QCoreApplication
 
 from fruitgui.gui.numbers import THIN, decimals_for, number_text
 from fruitgui.measurement.fruit import Quantity
@@ -53,30 +53,6 @@ def litres_text(volume: Quantity | None) -> str:
 def kilograms_text(mass: Quantity | None) -> str:
     """Return a sum of masses with its ±."""
     return quantity_text(mass, 1.0, "kg", 2)
-
-
-def moment_text(time_s: float) -> str:
-    """Return a moment as day and time."""
-    return _formatted(time_s, "d MMM yyyy HH:mm")
-
-
-def clock_text(time_s: float) -> str:
-    """Return the time of day of a moment."""
-    return _formatted(time_s, "HH:mm")
-
-
-def _formatted(time_s: float, how: str) -> str:
-    return QLocale().toString(QDateTime.fromSecsSinceEpoch(round(time_s)), how)
-
-
-def duration_text(duration_s: float) -> str:
-    """Return how long something took: seconds below two minutes, then minutes, then hours with minutes."""
-    if duration_s < 120:
-        return f"{round(duration_s)}{THIN}s"
-    minutes = round(duration_s / 60)
-    if minutes < 60:
-        return f"{minutes}{THIN}min"
-    return f"{minutes // 60}{THIN}h {minutes % 60}{THIN}min"
 
 
 def why_text(why: str) -> str:
