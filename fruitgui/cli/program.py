@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 from fruitgui import __version__
-from fruitgui.cli import calibrate, demo, evaluate, record, run, study, train
+from fruitgui.cli import calibrate, demo, evaluate, record, run, study, train, window
 from fruitgui.cli.console import Console
 from fruitgui.errors import CancelledByUserError, FruitguiError, InputError, WorldError
 
@@ -26,9 +26,14 @@ class _Parser(argparse.ArgumentParser):
 
 def parser() -> argparse.ArgumentParser:
     """Return the parser of the whole command line."""
-    top = _Parser(prog="fruitgui", description="Measure, sort and count fruit on a belt with several RGB-D sensors.")
+    top = _Parser(
+        prog="fruitgui",
+        description="Measure, sort and count fruit on a belt with several RGB-D sensors.",
+        epilog="Without a command: the window.",
+    )
+    window.add_options(top)
     top.add_argument("--version", action="version", version=f"fruitgui {__version__}")
-    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    commands = top.add_subparsers(dest="command", metavar="COMMAND")
     for command in COMMANDS:
         command.add(commands)
     return top

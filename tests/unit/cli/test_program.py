@@ -20,7 +20,6 @@ def test_help_names_only_commands_that_are_built(capsys: pytest.CaptureFixture[s
 @pytest.mark.parametrize(
     "arguments",
     [
-        [],
         ["fly"],
         ["run"],
         ["run", "r.mcap", "--station", "s.json", "--report", "out.json", "--belt-speed", "fast"],
@@ -40,14 +39,29 @@ def test_bad_usage_ends_with_2_and_what_to_do(
     arguments: list[str], capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    assert main([*arguments, "--json"] if arguments else []) == 2
+    assert main([*arguments, "--json"]) == 2
     printed = capsys.readouterr()
     assert "Traceback" not in printed.err
     assert list(tmp_path.iterdir()) == []
-    if arguments:
-        error = json.loads(printed.out)["error"]
-        assert set(error) == {"code", "file", "where", "what", "remedy"}
-        assert error["remedy"]
+    error = json.loads(printed.out)["error"]
+    assert set(error) == {"code", "file", "where", "what", "remedy"}
+    assert error["remedy"]
+
+
+def test_without_a_screen_the_window_says_so_and_what_else_there_is(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
+        monkeypatch.delenv(name, raising=False)
+    assert main([]) == 1
+    assert "no screen" in capsys.readouterr().err
+
+
+def test_the_window_s_folder_must_be_one(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.touch()
+    assert main(["--folder", str(file)]) == 2
+    assert str(file) in capsys.readouterr().err
 
 
 def test_the_package_and_its_help_load_nothing_heavy() -> None:
