@@ -16,6 +16,7 @@ from fruitgui.gui.health import HealthWatch
 from fruitgui.gui.help_window import HelpWindow
 from fruitgui.gui.housekeeping import Housekeeping
 from fruitgui.gui.logs import Logs
+from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.pages import make_pages
 from fruitgui.gui.session import Session
 from fruitgui.gui.settings_dialog import SettingsDialog
@@ -25,6 +26,7 @@ from fruitgui.gui.theme.theme import Theme, load_fonts
 from fruitgui.gui.translate import Language
 from fruitgui.gui.window import MainWindow
 from fruitgui.resources import folder
+from fruitgui.station.kept_file import Damage
 from fruitgui.station.settings import Settings
 from fruitgui.station.workflow import opening_step
 from fruitgui.station.workspace import Workspace, open_workspace
@@ -68,7 +70,18 @@ class Application(QObject):
         self.session.start_sensors()
         self.session.running.find_open_lot()
         for damage in self.session.damages:
-            self.session.messages.error(damage.error)
+            self.session.messages.say(self._damaged(damage))
+
+    def _damaged(self, damage: Damage) -> Message:
+        """Return what is said of a file that could not be read; the last good one is offered where there is one."""
+        what = self.tr("{file} is damaged; it was set aside, unharmed.").format(file=damage.file.name)
+        if damage.last_good is None:
+            return Message(Level.BAD, what, damage.error.what, stays=True)
+
+        def take() -> None:
+            self.session.take_last_good(damage)
+
+        return Message(Level.BAD, what, damage.error.what, self.tr("Take the last good one"), take, stays=True)
 
     def _close(self) -> bool:
         """End all that runs; it was saved as it came."""

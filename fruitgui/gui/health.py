@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import shutil
 from collections.abc import Mapping
 from pathlib import Path
@@ -15,11 +16,16 @@ from fruitgui.gui.top_bar import Pill, TopBar
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.live.state import LiveState, LiveWarning
 
+log = logging.getLogger(__name__)
+
 LOOK_MS = 1000
 SLOW_S = 1.0
 """Behind by more than this, a person at the belt sees a fruit counted when it is out of reach."""
 
 BEHIND_FRAMES = 30
+STAYING = ("calibration_stale", "not_kept", "fruit_not_counted")
+"""Warnings that stay until a person has put them away: a lot may be wrong by them."""
+
 BYTES_PER_GB = 1e9
 
 
@@ -65,6 +71,7 @@ class HealthWatch(QObject):
             key = (warning.code, warning.sensors)
             if key not in self._said:
                 self._said.add(key)
+                log.warning("%s %s", warning.code, warning.text)
                 self._session.messages.say(warning_message(warning))
 
 
@@ -75,17 +82,73 @@ def line_name(folder: Path) -> str:
 
 def warning_message(warning: LiveWarning) -> Message:
     """Return a warning of the line as a message: what happened, what it means, what to do."""
-    remedies: Mapping[str, str] = {
-        "calibration_stale": QCoreApplication.translate(
-            "Health", "Pause the lot and calibrate again; sizes and counts since then may be wrong."
-        ),
-        "not_kept": QCoreApplication.translate(
-            "Health", "Counting goes on in memory; what waits is kept as soon as there is room."
-        ),
-    }
-    stays = warning.code in remedies
-    level = Level.BAD if stays else Level.WARN
-    return Message(level, warning.text, remedies.get(warning.code, ""), stays=stays)
+    words = {
+        "calibration_stale": _bumped, "not_kept": _not_kept, "clock_jumped": _clock_jumped,
+        "clock_put_right": _clock_put_right, "sensor_not_matched": _not_matched, "frame_skipped": _skipped,
+        "fruit_not_measured": _not_measured, "fruit_not_counted": _not_counted,
+    }.get(warning.code)  # fmt: skip
+    if words is None:
+        return Message(Level.WARN, warning.text)
+    what, remedy = words()
+    stays = warning.code in STAYING
+    sensors = ", ".join(warning.sensors)
+    return Message(Level.BAD if stays else Level.WARN, what.format(sensors=sensors), remedy, stays=stays)
+
+
+def _bumped() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "A sensor was moved since it was calibrated: {sensors}."),
+        QCoreApplication.translate("Health", "End the lot and calibrate again; sizes and counts since may be wrong."),
+    )
+
+
+def _not_kept() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "Fruit cannot be kept on the disk now; they wait in memory."),
+        QCoreApplication.translate("Health", "Make room on the disk. Counting goes on, and what waits is kept then."),
+    )
+
+
+def _clock_jumped() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "The clock of {sensors} leapt; it is followed on from there."),
+        QCoreApplication.translate("Health", "If this comes back, unplug the sensor and plug it in again."),
+    )
+
+
+def _clock_put_right() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "The clock of {sensors} was off and was put right, judged by the fruit."),
+        QCoreApplication.translate("Health", "Fruit in view at that moment may have been counted twice."),
+    )
+
+
+def _not_matched() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "Sensors and calibration differ; the line runs on what both have."),
+        QCoreApplication.translate("Health", "Connect the sensors that were calibrated, or calibrate again."),
+    )
+
+
+def _skipped() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "A picture of {sensors} could not be used and was left out."),
+        QCoreApplication.translate("Health", "If this comes back, look at the sensor's cable; the log says more."),
+    )
+
+
+def _not_measured() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "A fruit could not be measured; it is counted with a rough volume."),
+        QCoreApplication.translate("Health", "Look at it in the lot, and correct it there if need be."),
+    )
+
+
+def _not_counted() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "A fruit was followed but could not be counted."),
+        QCoreApplication.translate("Health", "The log says what went wrong: open the help, then Show log."),
+    )
 
 
 def sensors_pill(health: Mapping[str, SensorHealth]) -> Pill:

@@ -139,6 +139,24 @@ class Session(QObject):
             self.station_changed.emit()
             self.states_changed.emit()
 
+    def take_last_good(self, damage: Damage) -> None:
+        """Take back the last good state of a file that was damaged."""
+        files = self.workspace
+        try:
+            if damage.file == files.station.path:
+                self._station = files.station.restore()
+            elif damage.file == files.connection.path:
+                self._connection = files.connection.restore()
+            elif damage.file == files.settings.path:
+                self._settings = files.settings.restore()
+            elif damage.file == files.marks.path:
+                self._marks = files.marks.restore()
+        except FruitguiError as error:
+            self.messages.error(error)
+            return
+        for changed in (self.settings_changed, self.connection_changed, self.station_changed, self.states_changed):
+            changed.emit()
+
     def take_back_station(self) -> None:
         """Return to the station before the last change; doing it again undoes this."""
         try:

@@ -26,16 +26,80 @@
         <source>the window</source>
         <translation>la ventana</translation>
     </message>
+    <message>
+        <source>{file} is damaged; it was set aside, unharmed.</source>
+        <translation>{file} está dañado; se apartó sin tocarlo.</translation>
+    </message>
+    <message>
+        <source>Take the last good one</source>
+        <translation>Usar el último bueno</translation>
+    </message>
 </context>
 <context>
     <name>Health</name>
     <message>
-        <source>Pause the lot and calibrate again; sizes and counts since then may be wrong.</source>
-        <translation>Pause el lote y calibre de nuevo; los tamaños y conteos desde entonces pueden estar mal.</translation>
+        <source>A sensor was moved since it was calibrated: {sensors}.</source>
+        <translation>Se movió un sensor desde que se calibró: {sensors}.</translation>
     </message>
     <message>
-        <source>Counting goes on in memory; what waits is kept as soon as there is room.</source>
-        <translation>El conteo sigue en memoria; lo que espera se guarda apenas haya espacio.</translation>
+        <source>End the lot and calibrate again; sizes and counts since may be wrong.</source>
+        <translation>Termine el lote y calibre de nuevo; los tamaños y conteos desde entonces pueden estar mal.</translation>
+    </message>
+    <message>
+        <source>Fruit cannot be kept on the disk now; they wait in memory.</source>
+        <translation>Ahora no se puede guardar fruta en el disco; espera en memoria.</translation>
+    </message>
+    <message>
+        <source>Make room on the disk. Counting goes on, and what waits is kept then.</source>
+        <translation>Haga espacio en el disco. El conteo sigue, y lo que espera se guarda entonces.</translation>
+    </message>
+    <message>
+        <source>The clock of {sensors} leapt; it is followed on from there.</source>
+        <translation>El reloj de {sensors} saltó; se sigue desde ahí.</translation>
+    </message>
+    <message>
+        <source>If this comes back, unplug the sensor and plug it in again.</source>
+        <translation>Si se repite, desenchufe el sensor y enchúfelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The clock of {sensors} was off and was put right, judged by the fruit.</source>
+        <translation>El reloj de {sensors} estaba desfasado y se corrigió según la fruta.</translation>
+    </message>
+    <message>
+        <source>Fruit in view at that moment may have been counted twice.</source>
+        <translation>La fruta a la vista en ese momento puede haberse contado dos veces.</translation>
+    </message>
+    <message>
+        <source>Sensors and calibration differ; the line runs on what both have.</source>
+        <translation>Los sensores y la calibración no coinciden; la línea sigue con lo que ambos tienen.</translation>
+    </message>
+    <message>
+        <source>The log says what went wrong: open the help, then Show log.</source>
+        <translation>El registro dice qué falló: abra la ayuda y luego Ver registro.</translation>
+    </message>
+    <message>
+        <source>Connect the sensors that were calibrated, or calibrate again.</source>
+        <translation>Conecte los sensores que se calibraron, o calibre de nuevo.</translation>
+    </message>
+    <message>
+        <source>A picture of {sensors} could not be used and was left out.</source>
+        <translation>Una imagen de {sensors} no se pudo usar y se omitió.</translation>
+    </message>
+    <message>
+        <source>If this comes back, look at the sensor&apos;s cable; the log says more.</source>
+        <translation>Si se repite, revise el cable del sensor; el registro dice más.</translation>
+    </message>
+    <message>
+        <source>A fruit could not be measured; it is counted with a rough volume.</source>
+        <translation>Una fruta no se pudo medir; se cuenta con un volumen aproximado.</translation>
+    </message>
+    <message>
+        <source>Look at it in the lot, and correct it there if need be.</source>
+        <translation>Revísela en el lote y corríjala ahí si hace falta.</translation>
+    </message>
+    <message>
+        <source>A fruit was followed but could not be counted.</source>
+        <translation>Una fruta se siguió pero no se pudo contar.</translation>
     </message>
     <message>
         <source>{well}/{all} sensors</source>
