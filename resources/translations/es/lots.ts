@@ -20,7 +20,7 @@
     <name>FruitTable</name>
     <message>
         <source>All kinds</source>
-        <translation>Todas las clases</translation>
+        <translation>Todos los tipos</translation>
     </message>
     <message>
         <source>Which fruit</source>
@@ -36,11 +36,11 @@
     </message>
     <message>
         <source>Fruit of which kind are shown</source>
-        <translation>De qué clase es la fruta que se muestra</translation>
+        <translation>De qué tipo es la fruta que se muestra</translation>
     </message>
     <message>
         <source>Fruit of the lot; Return opens one, keys 1 to 9 name it</source>
-        <translation>Fruta del lote; Intro abre una, las teclas 1 a 9 le dan clase</translation>
+        <translation>Fruta del lote; Intro abre una, las teclas 1 a 9 le dan tipo</translation>
     </message>
     <message>
         <source>No such fruit</source>
@@ -48,7 +48,7 @@
     </message>
     <message>
         <source>Choose other fruit or another kind above.</source>
-        <translation>Elija arriba otra fruta u otra clase.</translation>
+        <translation>Elija arriba otra fruta u otro tipo.</translation>
     </message>
     <message>
         <source>{count} fruit</source>
@@ -106,7 +106,7 @@
     </message>
     <message>
         <source>Say of which kind the chosen fruit are (keys 1 to 9, or K)</source>
-        <translation>Diga de qué clase es la fruta elegida (teclas 1 a 9, o K)</translation>
+        <translation>Diga de qué tipo es la fruta elegida (teclas 1 a 9, o K)</translation>
     </message>
     <message>
         <source>Leave out</source>
@@ -142,11 +142,11 @@
     </message>
     <message>
         <source>Another kind …</source>
-        <translation>Otra clase …</translation>
+        <translation>Otro tipo …</translation>
     </message>
     <message>
         <source>Another kind</source>
-        <translation>Otra clase</translation>
+        <translation>Otro tipo</translation>
     </message>
     <message>
         <source>What the chosen fruit are:</source>
@@ -413,7 +413,7 @@
     </message>
     <message>
         <source>All kinds</source>
-        <translation>Todas las clases</translation>
+        <translation>Todos los tipos</translation>
     </message>
     <message>
         <source>Volumes are sums {of}.</source>
@@ -433,7 +433,7 @@
     </message>
     <message>
         <source>Of {all} fruit, people corrected {count}: they left out {left_out} and gave {named} another kind, or added it. The figures above hold what people said; what the machine said is kept beside it.</source>
-        <translation>De {all} frutas, se corrigieron a mano {count}: {left_out} se descartaron y a {named} se les dio otra clase, o se agregaron. Las cifras de arriba valen según lo dicho por personas; lo que dijo la máquina se guarda al lado.</translation>
+        <translation>De {all} frutas, se corrigieron a mano {count}: {left_out} se descartaron y a {named} se les dio otro tipo, o se agregaron. Las cifras de arriba valen según lo dicho por personas; lo que dijo la máquina se guarda al lado.</translation>
     </message>
     <message>
         <source>Nobody corrected anything; all figures are the machine&apos;s.</source>
@@ -441,7 +441,7 @@
     </message>
     <message>
         <source>{count} fruit are of no kind that the machine was taught; they count as unknown.</source>
-        <translation>{count} frutas no son de ninguna clase enseñada a la máquina; cuentan como desconocidas.</translation>
+        <translation>{count} frutas no son de ningún tipo enseñado a la máquina; cuentan como desconocidas.</translation>
     </message>
     <message>
         <source>Fruit No.</source>
@@ -477,11 +477,11 @@
     </message>
     <message>
         <source>Every fruit was followed over the belt by sensors that see colour and depth, counted once, and measured from all views together: a closed surface through what was seen gives volume, length and diameter. Nothing was weighed; a mass is the volume times the density of its kind, where that is known.</source>
-        <translation>Sensores que ven color y profundidad siguieron cada fruta sobre la cinta; cada una se contó una vez y se midió con todas sus vistas juntas: una superficie cerrada a través de lo visto da volumen, largo y diámetro. Nada se pesó; una masa es el volumen por la densidad de su clase, donde se conoce.</translation>
+        <translation>Sensores que ven color y profundidad siguieron cada fruta sobre la cinta; cada una se contó una vez y se midió con todas sus vistas juntas: una superficie cerrada a través de lo visto da volumen, largo y diámetro. Nada se pesó; una masa es el volumen por la densidad de su tipo, donde se conoce.</translation>
     </message>
     <message>
         <source>± is half the width of a 95 % interval. That of totals and means adds the errors of single fruit as if no two shared one. What all fruit of a lot share, such as the scale of the sensors&apos; placement or the correction of a kind, is not in it.</source>
-        <translation>± es la mitad del ancho de un intervalo del 95 %. El de totales y medias suma los errores de cada fruta como si ninguna compartiera el suyo con otra. Lo que toda la fruta de un lote comparte, como la escala de la ubicación de los sensores o la corrección de una clase, no está incluido.</translation>
+        <translation>± es la mitad del ancho de un intervalo del 95 %. El de totales y medias suma los errores de cada fruta como si ninguna compartiera el suyo con otra. Lo que toda la fruta de un lote comparte, como la escala de la ubicación de los sensores o la corrección de un tipo, no está incluido.</translation>
     </message>
     <message>
         <source>Kinds by model {model}; frame of reference: sensor {sensor}.</source>
@@ -778,11 +778,11 @@
     </message>
     <message>
         <source>Keys 1 to 9 name the fruit, Delete leaves it out, PgUp and PgDn go through the list.</source>
-        <translation>Las teclas 1 a 9 dan la clase, Supr descarta, RePág y AvPág recorren la lista.</translation>
+        <translation>Las teclas 1 a 9 dan el tipo, Supr descarta, RePág y AvPág recorren la lista.</translation>
     </message>
     <message>
         <source>A picture or Return opens a fruit. Keys 1 to 9 name the chosen ones, Delete leaves them out.</source>
-        <translation>Una imagen o Intro abre una fruta. Las teclas 1 a 9 dan clase a las elegidas, Supr las descarta.</translation>
+        <translation>Una imagen o Intro abre una fruta. Las teclas 1 a 9 dan tipo a las elegidas, Supr las descarta.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -923,7 +923,7 @@
     </message>
     <message>
         <source>± is half the width of a 95 % interval. That of sums and means holds what fruit do not share: errors that all have in common (the rig&apos;s scale, a kind&apos;s correction) are not in it.</source>
-        <translation>± es la mitad del ancho de un intervalo del 95 %. El de sumas y medias contiene lo que las frutas no comparten: los errores comunes a todas (la escala del equipo, la corrección de una clase) no están incluidos.</translation>
+        <translation>± es la mitad del ancho de un intervalo del 95 %. El de sumas y medias contiene lo que las frutas no comparten: los errores comunes a todas (la escala del equipo, la corrección de un tipo) no están incluidos.</translation>
     </message>
 </context>
 <context>
