@@ -22,6 +22,7 @@ from fruitgui.gui.steps.lots.hand import Deed, Undo, Word, undoing
 from fruitgui.gui.steps.lots.handing_on import file_name
 from fruitgui.gui.steps.lots.lot_entry import LotState, Period, bounds_s, lot_entry, state_of
 from fruitgui.gui.steps.lots.paged import Pages
+from fruitgui.gui.steps.lots.spreads import columns_for
 from fruitgui.gui.steps.lots.words import litres_text, quantity_text
 from fruitgui.gui.times import duration_text
 from fruitgui.gui.view_pictures import view_pictures
@@ -295,3 +296,10 @@ def test_a_plan_without_words_is_listed_all_the_same(store: Store) -> None:
     store.lots.start(LotPlan("x"))
     (line,) = store.lots.find(LotQuery()).lots
     assert lot_entry(line, None).who == ""
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "columns"), [(660, 150, 0), (700, 320, 2), (1300, 160, 4), (1300, 400, 4), (3200, 1500, 2)]
+)
+def test_as_many_spreads_are_shown_as_there_is_room_for(width: int, height: int, columns: int) -> None:
+    assert columns_for(width, height) == columns

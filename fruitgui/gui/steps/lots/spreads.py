@@ -106,6 +106,6 @@ class Spreads(QWidget):
 
 def columns_for(width: int, height: int) -> int:
     """Return in how many columns all four fit; 0 where they do not."""
-    if width >= 4 * LEAST_WIDTH and height >= LEAST_HEIGHT:
-        return 4
+    if width >= 4 * LEAST_WIDTH and LEAST_HEIGHT <= height <= width / 3:
+        return 4  # where there is more height than that, two rows show more
     return 2 if width >= 2 * LEAST_WIDTH and height >= 2 * LEAST_HEIGHT else 0

@@ -31,6 +31,9 @@ from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.records.distribution import Distribution
 
 ROW, HEAD = 28, 24
+WIDEST = 1080
+"""Pixels: beyond, a figure is too far from its kind's name to be read with it."""
+
 FIGURE_WIDTH, NAME_WIDTH = 128, 130
 TIMES_HEIGHT, BAND = 36, 12
 SPREADS_HEIGHT = 220
@@ -44,6 +47,7 @@ class KindTable(QWidget):
         self._theme = theme
         self._rows: Sequence[KindRow] = ()
         self._marks: Mapping[str, KindMark] = {}
+        self.setMaximumWidth(WIDEST)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         theme.changed.connect(self.update)
 
