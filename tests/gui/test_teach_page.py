@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -17,6 +18,7 @@ from fruitgui.gui.steps.teach.desk import Pile, Shelf
 from fruitgui.gui.steps.teach.page import TeachPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.store import Store, open_store
+from fruitgui.station.sources import RecordedSource
 from fruitgui.station.workflow import State, Step
 from fruitgui.station.workspace import open_workspace
 
@@ -56,7 +58,9 @@ def page(qtbot: QtBot, taught: Session, theme: Theme) -> Iterator[TeachPage]:
 
 def _rest(qtbot: QtBot, page: TeachPage) -> None:
     """Wait until all that was asked is answered, and all that was changed is saved."""
-    qtbot.waitUntil(lambda: not any(one.busy for one in page.findChildren(Queries)), timeout=LONG_MS)
+    qtbot.waitUntil(
+        lambda: not page.room.busy and not any(one.busy for one in page.findChildren(Queries)), timeout=LONG_MS
+    )
 
 
 def _kinds(store: Store) -> list[str | None]:
@@ -222,6 +226,34 @@ def test_a_recording_comes_in_and_can_be_stopped(qtbot: QtBot, taught: Session, 
     qtbot.waitUntil(lambda: not page.room.in_lesson, timeout=LONG_MS)
     _rest(qtbot, page)
     assert len(page.model.keys) == len(taught.store.teaching.briefs()) > 0
+
+
+def test_the_line_is_watched_until_it_is_enough(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
+    assert not page.watch.isEnabled(), "no sensors run"
+    taught.source.choose(RecordedSource(taught.workspace.folder / RECORDING, speed=4.0, looped=True))
+    qtbot.waitUntil(page.watch.isEnabled, timeout=LONG_MS)
+    page.watch.trigger()
+    assert page.main_action is page.stop
+    qtbot.waitUntil(lambda: len(page.room.desk.fruit) > FRUIT, timeout=LONG_MS)
+    page.stop.trigger()
+    qtbot.waitUntil(lambda: not page.room.in_lesson, timeout=LONG_MS)
+    _rest(qtbot, page)
+    (line,) = [one for one in page.room.sources(named=False) if one != RECORDING]
+    assert line.startswith("line ")
+    assert taught.connected.feed is not None, "the sensors run on"
+
+
+def test_thousands_are_laid_out_a_page_at_a_time(qtbot: QtBot, page: TeachPage) -> None:
+    fruit = page.room.desk.fruit[page.model.keys[0]]
+    page.room.desk.lay_out([replace(fruit, key=key) for key in range(3000, 0, -1)], ())
+    page._show()
+    assert len(page.model.keys) == 3000
+    assert page.model.rowCount() < 1000
+    page.grid.choose_row(page.model.row(1))
+    assert page.grid.chosen() == [1]
+    page.grid.choose_row(0)
+    page.grid.scrollToBottom()
+    _rest(qtbot, page)
 
 
 def test_removing_asks_once(qtbot: QtBot, taught: Session, page: TeachPage) -> None:

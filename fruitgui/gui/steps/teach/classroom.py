@@ -27,6 +27,9 @@ T = TypeVar("T")
 COME_IN_MS = 700
 """How often one looks for fruit that came in, while a lesson runs."""
 
+NOTE_MS = 300
+"""The other steps hear of what is taught once a person pauses; telling them costs more than naming a fruit."""
+
 AGAIN_AFTER = 10
 """Fruit that are named before the model so far is asked again."""
 
@@ -51,6 +54,7 @@ class Classroom(QObject):
         self._teaching = session.store.teaching
         self._saving = 0
         self._named = 0
+        self._looked_at = False
         self._lesson: Task[Lesson] | None = None
         self._look: Task[Insight] | None = None
         self.desk = Desk()
@@ -59,7 +63,14 @@ class Classroom(QObject):
         self.queries.failed.connect(self._fail)
         self._come_in = QTimer(self, interval=COME_IN_MS)
         self._come_in.timeout.connect(self.load)
+        self._note_soon = QTimer(self, singleShot=True, interval=NOTE_MS)
+        self._note_soon.timeout.connect(self._ask_facts)
         session.running.changed.connect(self._line_changed)
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is not saved, or not told to the other steps yet."""
+        return self.queries.busy or self._note_soon.isActive()
 
     @property
     def in_lesson(self) -> bool:
@@ -174,9 +185,24 @@ class Classroom(QObject):
         fruit = self.desk.fruit.values()
         return list(dict.fromkeys(one.source for one in fruit if one.kind is not None or not named))
 
-    def rest(self) -> None:
-        """Nobody looks any more: a lesson from the line ends, what was changed is saved."""
-        self.stop_lesson()
+    def enter(self) -> None:
+        """Somebody looks: read what is taught, and go on reading while fruit come in."""
+        self._looked_at = True
+        self.load()
+        self._watch_coming()
+
+    def leave(self) -> None:
+        """Nobody looks any more; a lesson goes on."""
+        self._looked_at = False
+        self._watch_coming()
+
+    def _watch_coming(self) -> None:
+        """Look for fruit while a lesson runs, and while a lot does, which sets unknown ones aside."""
+        coming = self._looked_at and (self.in_lesson or self._session.running.running)
+        if coming and not self._come_in.isActive():
+            self._come_in.start()
+        elif not coming:
+            self._come_in.stop()
 
     # what comes back
 
@@ -202,7 +228,10 @@ class Classroom(QObject):
     def _saved(self, _result: object) -> None:
         self._saving = max(self._saving - 1, 0)
         if not self._saving:
-            self.queries.ask("facts", self._teaching.facts, self._note)
+            self._note_soon.start()
+
+    def _ask_facts(self) -> None:
+        self.queries.ask("facts", self._teaching.facts, self._note)
 
     def _note(self, facts: TaughtFacts | None) -> None:
         self._session.note_taught(facts)
@@ -244,7 +273,7 @@ class Classroom(QObject):
         self._lesson.succeeded.connect(self._learned)
         self._lesson.failed.connect(self._session.messages.error)
         self._lesson.ended.connect(self._lesson_ended)
-        self._come_in.start()
+        self._watch_coming()
         self.busy_changed.emit()
 
     def _learned(self, lesson: Lesson) -> None:
@@ -260,7 +289,7 @@ class Classroom(QObject):
 
     def _lesson_ended(self) -> None:
         self._lesson = None
-        self._come_in.stop()
+        self._watch_coming()
         self.load()
         self.busy_changed.emit()
 
@@ -268,6 +297,7 @@ class Classroom(QObject):
         """A lot goes before a lesson: the line has no time for both."""
         if self._session.running.running:
             self.stop_lesson()
+        self._watch_coming()
 
     def _take_insight(self, insight: Insight) -> None:
         self.desk.insight = insight

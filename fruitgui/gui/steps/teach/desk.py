@@ -79,9 +79,11 @@ class Desk:
     order: tuple[str, ...] = ()
     insight: Insight = field(default_factory=Insight)
     settled: set[int] = field(default_factory=set)
+    _counts: tuple[KindCount, ...] | None = None
 
     def lay_out(self, fruit: Iterable[Brief], order: Sequence[str]) -> None:
         """Put down what the store holds."""
+        self._counts = None
         self.fruit = {one.key: one for one in fruit}
         self.order = kinds_in_order(order, (one.kind for one in self.fruit.values() if one.kind is not None))
 
@@ -120,16 +122,19 @@ class Desk:
 
     def name(self, keys: Iterable[int], kind: str | None) -> None:
         """Give fruit a kind, or let them wait again."""
+        self._counts = None
         for key in keys:
             self.fruit[key] = replace(self.fruit[key], kind=kind)
             self.settled.add(key)
 
     def measure(self, key: int, volume_ml: float | None, mass_g: float | None) -> None:
         """Note what a person measured."""
+        self._counts = None
         self.fruit[key] = replace(self.fruit[key], volume_ml=volume_ml, mass_g=mass_g)
 
     def apply(self, changes: Iterable[Change], *, back: bool) -> list[int]:
         """Follow a step that was taken back or done again; return the fruit that it changed."""
+        self._counts = None
         touched = []
         for change in changes:
             if change.taught in self.fruit:
@@ -140,11 +145,17 @@ class Desk:
 
     def remove(self, keys: Iterable[int]) -> None:
         """Forget fruit."""
+        self._counts = None
         for key in keys:
             self.fruit.pop(key, None)
 
     def counts(self) -> tuple[KindCount, ...]:
         """Return how much was taught of each kind that has any."""
+        if self._counts is None:
+            self._counts = self._counted()
+        return self._counts
+
+    def _counted(self) -> tuple[KindCount, ...]:
         found: dict[str, list[int]] = {}
         for one in self.fruit.values():
             if one.kind is not None:

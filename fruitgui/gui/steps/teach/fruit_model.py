@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, QTimer
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, QTimer, Signal
 
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.view_pictures import ViewPictures, view_pictures
@@ -20,6 +20,9 @@ MOST_PICTURES = 600
 AT_ONCE = 12
 """Fruit whose pictures are read in one go, so that the newest in view never wait long."""
 
+PAGE = 150
+"""Fruit that are laid out at once; more come as one scrolls down to them."""
+
 KEY = int(Qt.ItemDataRole.UserRole)
 
 
@@ -29,13 +32,19 @@ class FruitModel(QAbstractListModel):
     Args:
         crops: of the store.
         described: says what a fruit is, for screen readers.
+
+    Attributes:
+        came: pictures were fetched.
     """
+
+    came = Signal()
 
     def __init__(self, crops: Crops, described: Callable[[int], str], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._crops = crops
         self._described = described
         self._keys: list[int] = []
+        self._rows = 0
         self._views: OrderedDict[int, Views] = OrderedDict()
         self._wanted: OrderedDict[int, None] = OrderedDict()
         self._asked: set[int] = set()
@@ -50,7 +59,22 @@ class FruitModel(QAbstractListModel):
 
     def rowCount(self, parent: Index | None = None) -> int:  # noqa: N802 - Qt's name
         """Return the number of fruit."""
-        return 0 if parent is not None and parent.isValid() else len(self._keys)
+        return 0 if parent is not None and parent.isValid() else self._rows
+
+    def canFetchMore(self, _parent: Index) -> bool:  # noqa: N802 - Qt's name
+        """Tell whether there are fruit further down."""
+        return self._rows < len(self._keys)
+
+    def fetchMore(self, _parent: Index) -> None:  # noqa: N802 - Qt's name
+        """Show some of them too."""
+        self._show_rows(self._rows + PAGE)
+
+    def _show_rows(self, rows: int) -> None:
+        rows = min(rows, len(self._keys))
+        if rows > self._rows:
+            self.beginInsertRows(QModelIndex(), self._rows, rows - 1)
+            self._rows = rows
+            self.endInsertRows()
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         """Return a fruit's key, or its description."""
@@ -68,23 +92,27 @@ class FruitModel(QAbstractListModel):
         gone = set(self._keys) - set(keys)
         if len(gone) <= AT_ONCE and [key for key in self._keys if key not in gone] == list(keys):
             for key in gone:
-                row = self._keys.index(key)
-                self.beginRemoveRows(QModelIndex(), row, row)
-                del self._keys[row]
-                self.endRemoveRows()
+                self._take_out(self._keys.index(key))
         elif list(keys) != self._keys:
             self.beginResetModel()
             self._keys = list(keys)
+            self._rows = min(PAGE, len(self._keys))
             self.endResetModel()
 
-    def touch(self) -> None:
-        """Draw all anew: what is known of the fruit changed."""
-        if self._keys:
-            self.dataChanged.emit(self.index(0), self.index(len(self._keys) - 1))
+    def _take_out(self, row: int) -> None:
+        if row >= self._rows:
+            del self._keys[row]
+            return
+        self.beginRemoveRows(QModelIndex(), row, row)
+        del self._keys[row]
+        self._rows -= 1
+        self.endRemoveRows()
 
     def row(self, key: int) -> int:
-        """Return a fruit's row, −1 where it is not shown."""
-        return self._keys.index(key) if key in self._keys else -1
+        """Return a fruit's row, which is shown from here on; −1 where it is none of these fruit."""
+        row = self._keys.index(key) if key in self._keys else -1
+        self._show_rows(row + 1)
+        return row
 
     def views(self, key: int) -> Views | None:
         """Return a fruit's pictures; None while they are fetched, which this begins."""
@@ -119,8 +147,5 @@ class FruitModel(QAbstractListModel):
             self._views.popitem(last=False)
         while len(self._wanted) > MOST_PICTURES // 2:
             self._wanted.popitem(last=False)
-        for key in views:
-            row = self.row(key)
-            if row >= 0:
-                self.dataChanged.emit(self.index(row), self.index(row))
+        self.came.emit()
         self._fetch()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QItemSelectionModel, QPersistentModelIndex, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QItemSelectionModel, QPersistentModelIndex, QRectF, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen, QResizeEvent, QTransform
 from PySide6.QtWidgets import QAbstractItemView, QListView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
@@ -159,6 +159,7 @@ class FruitGrid(QListView):
         self.verticalScrollBar().setSingleStep(48)
         self.selectionModel().selectionChanged.connect(self.chosen_changed)
         self.selectionModel().currentChanged.connect(self.chosen_changed)
+        model.came.connect(self.viewport().update)
         theme.changed.connect(self.viewport().update)
 
     @property
@@ -206,13 +207,15 @@ class FruitGrid(QListView):
 
     def show_keys(self, keys: Sequence[int]) -> None:
         """Show other fruit; where the chosen ones left, the next in their place is chosen."""
-        rows = [index.row() for index in self.selectionModel().selectedIndexes()]
-        before = QPersistentModelIndex(self.currentIndex())
-        row = min(rows) if rows else max(self.currentIndex().row(), 0)
-        self._model.show_keys(keys)
-        if keys and not (self.chosen() and before.isValid()):
-            self.choose_row(min(row, len(keys) - 1))
+        with QSignalBlocker(self):  # one word at the end is enough
+            rows = [index.row() for index in self.selectionModel().selectedIndexes()]
+            before = QPersistentModelIndex(self.currentIndex())
+            row = min(rows) if rows else max(self.currentIndex().row(), 0)
+            self._model.show_keys(keys)
+            if keys and not (self.chosen() and before.isValid()):
+                self.choose_row(min(row, self._model.rowCount() - 1))
         self.chosen_changed.emit()
+        self.viewport().update()
 
     def choose_row(self, row: int) -> None:
         """Choose one fruit by its row."""

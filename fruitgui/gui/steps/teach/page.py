@@ -59,12 +59,13 @@ class TeachPage(StepPage):
 
     def entered(self) -> None:
         """Show what is taught now, others may have added to it."""
-        self.room.load()
+        self.room.enter()
         self.grid.setFocus()
         self._show()
 
     def left(self) -> None:
         """Rest; a lesson goes on."""
+        self.room.leave()
         self.model.rest()
         self._seen.rest()
 
@@ -191,7 +192,6 @@ class TeachPage(StepPage):
         counts = {pile: len(keys if Shelf(pile) == self._shelf else desk.keys(Shelf(pile))) for pile in Pile}
         self.shelves.show_counts(counts, lines, self._tiles.marks)
         self.grid.show_keys(keys)
-        self.model.touch()
         self._stack.setCurrentWidget(self.grid if keys else self.empty)
         if not keys:
             self.empty.show_words(*self._nothing())

@@ -15,7 +15,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.kind_mark import paint_mark
 
-TALLEST, LOWEST = 64.0, 22.0
+TALLEST, LOWEST = 96.0, 22.0
 MARK = 24.0
 NAME, RIGHT = 190.0, 140.0
 HEAD = 44.0
