@@ -67,6 +67,16 @@ def test_before_it_is_set_up_the_screen_says_what_comes_first(session: Session, 
     assert not page.start.isEnabled()
 
 
+def test_keys_choose_what_is_drawn_over_the_pictures(qtbot: QtBot, page: LivePage) -> None:
+    page.activateWindow()
+    qtbot.waitUntil(page.isActiveWindow)
+    page.setFocus()
+    assert page.overlays["labels"].isChecked()
+    qtbot.keyClick(page, Qt.Key.Key_F6)
+    assert not page.overlays["labels"].isChecked()
+    assert page.overlays["outlines"].isChecked()
+
+
 def test_a_lot_counts_what_crossed_and_is_kept(qtbot: QtBot, session: Session, ready: LivePage) -> None:
     assert ready.main_action is ready.start
     _start(qtbot, session, ready)

@@ -55,8 +55,9 @@ class StepPage(QWidget):
     def offer(self, main: QAction | None, *others: QAction) -> None:
         """Set the actions. Their keys work while the page is in view; others that have the same keys do not."""
         if (main, others) != (self._main, self._others):
-            for action in self.actions():
-                self.removeAction(action)
+            for action in (*self._others, self._main):
+                if action is not None:
+                    self.removeAction(action)
             self._main, self._others = main, others
             self.addActions([*others, *(() if main is None else (main,))])
             self.actions_changed.emit()

@@ -86,7 +86,6 @@ class LivePage(StepPage):
             action.setShortcut(QKeySequence(key))
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             action.triggered.connect(does)
-            self.addAction(action)
         self.overlays = {name: QAction(self, checkable=True, checked=True) for name in Overlays.__dataclass_fields__}
         for number, action in enumerate(self.overlays.values(), start=1):
             action.setShortcut(QKeySequence(f"F{number + 4}"))

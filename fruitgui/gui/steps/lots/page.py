@@ -131,7 +131,7 @@ class LotsPage(StepPage):
         ):
             action.setText(text)
             action.setToolTip(tip)
-            action.setProperty("icon", icon)
+            action.setProperty("drawing", icon)
             action.setShortcut(key)
 
     def show_line(self, lot: int | None) -> None:
