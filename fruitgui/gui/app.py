@@ -31,6 +31,10 @@ from fruitgui.station.settings import Settings
 from fruitgui.station.workflow import opening_step
 from fruitgui.station.workspace import Workspace, open_workspace
 
+HAND_OVER_S = 1e-3
+"""After so long a thread of Python's lets another go on if it waits. With Python's own five milliseconds the window,
+which waits for each of the line's threads in turn, would stand still for a tenth of a second."""
+
 WAKE_MS = 200
 """How often Python gets a look in while Qt waits, so that an interrupt from the keyboard is heard."""
 
@@ -48,6 +52,7 @@ class Application(QObject):
         self.session = opened(lambda: Session(workspace, self), lambda error: self._trouble(workspace, error))
         self._logs = Logs(self.session.workspace.folder)
         self._collector = ConfinedCollector(self)
+        self._hand_over_s = sys.getswitchinterval()
         self._help: HelpWindow | None = None
         self._settings: SettingsDialog | None = None
         self._dress(self.session.settings)
@@ -60,6 +65,7 @@ class Application(QObject):
 
     def start(self) -> None:
         """Show the window and begin to look after things."""
+        sys.setswitchinterval(HAND_OVER_S)
         self._logs.open(lambda error: self.session.messages.error(unexpected_error(self.tr("the window"), error)))
         self._collector.start()
         self._health.start()
@@ -88,6 +94,7 @@ class Application(QObject):
         self._housekeeping.stop()
         self.session.close()
         self._collector.stop()
+        sys.setswitchinterval(self._hand_over_s)
         self._logs.close()
         return True
 

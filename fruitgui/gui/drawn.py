@@ -92,7 +92,7 @@ class KindLine:
         count: fruit of it in this lot.
         volume_ml, spread_ml: mean volume, and standard deviation between its fruit; None before the first.
         total_l: all volumes together. mass_kg: all masses together, None where the density is not known.
-        per_minute: over the last minutes.
+        per_minute: over the last minutes, to the whole piece that is shown: what looks the same is not drawn again.
     """
 
     mark: KindMark
@@ -102,7 +102,7 @@ class KindLine:
     spread_ml: float | None
     total_l: float
     mass_kg: float | None
-    per_minute: float
+    per_minute: int
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -51,6 +51,7 @@ class TopBar(QWidget):
         self._title.setProperty("role", "title")
         self._lot.setProperty("role", "dim")
         self._pills: dict[str, QToolButton] = {}
+        self._icons: dict[str, tuple[str, str]] = {}
         self._pill_row = QHBoxLayout()
         self._pill_row.setSpacing(GRID // 2)
         self._tools = {name: QToolButton(self) for name in ("theme", "settings", "help")}
@@ -95,7 +96,7 @@ class TopBar(QWidget):
         if [pill.name for pill in pills] != [pill.name for pill in self._shown]:
             self._make_pills(pills)
         self._shown = pills
-        self._draw()
+        self._draw_pills()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
@@ -109,19 +110,26 @@ class TopBar(QWidget):
             button.hide()
             button.deleteLater()
         self._pills = {pill.name: QToolButton(self) for pill in pills}
+        self._icons = {}
         for name, button in self._pills.items():
             button.setProperty("role", "quiet")
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.clicked.connect(lambda _checked=False, name=name: self.pill_pressed.emit(name))
             self._pill_row.addWidget(button)
 
-    def _draw(self) -> None:
+    def _draw_pills(self) -> None:
         for pill in self._shown:
-            button = self._pills[pill.name]
+            button, drawn = self._pills[pill.name], (pill.icon, pill.health)
             button.setText(pill.text)
             button.setToolTip(pill.tip or pill.text)
             button.setAccessibleName(pill.tip or pill.text)
-            button.setIcon(icons.icon(pill.icon, self._theme.colour(pill.health or "text_dim")))
+            if self._icons.get(pill.name) != drawn:  # drawing one takes ten times as long as all else here
+                self._icons[pill.name] = drawn
+                button.setIcon(icons.icon(pill.icon, self._theme.colour(pill.health or "text_dim")))
+
+    def _draw(self) -> None:
+        self._icons = {}
+        self._draw_pills()
         for name, tool in self._tools.items():
             tool.setIcon(icons.icon(name, self._theme.colour("text_dim")))
 

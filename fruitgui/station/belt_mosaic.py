@@ -38,11 +38,11 @@ class Mosaic:
         for sensor, places in self.maps.items():
             frame = frames.get(sensor)
             if frame is not None:
-                shown = self.shares[sensor]
                 picture = cv2.remap(
                     frame.color, places[..., 0], places[..., 1], cv2.INTER_LINEAR, None, cv2.BORDER_REPLICATE
                 )
-                mosaic[shown, :3], mosaic[shown, 3] = picture[shown], 255
+                opaque = cv2.cvtColor(picture, cv2.COLOR_RGB2RGBA)
+                cv2.copyTo(opaque, self.shares[sensor].view(np.uint8), mosaic)
         return mosaic
 
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from functools import cache
 
-from PySide6.QtCore import QByteArray, QRectF, Qt
+from PySide6.QtCore import QByteArray, QRectF
 from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
+from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.resources import folder
 
 SIZES_PX = (16, 20, 24, 32, 48, 64, 96)
@@ -23,22 +24,24 @@ def icon(name: str, colour: QColor, disabled: QColor | None = None) -> QIcon:
     return made
 
 
-def pixmap(name: str, colour: QColor, size_px: int, ratio: float = 1.0) -> QPixmap:
-    """Return a drawing at a size, `ratio` device pixels to each of ours."""
-    drawn = QPixmap(round(size_px * ratio), round(size_px * ratio))
-    drawn.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(drawn)
-    paint(painter, QRectF(drawn.rect()), name, colour)
-    painter.end()
-    drawn.setDevicePixelRatio(ratio)
-    return drawn
+def pixmap(
+    name: str, colour: QColor, size_px: float, ratio: float = 1.0, ground: QColor | None = None
+) -> QPixmap:  # fmt: skip
+    """Return a drawing at a size, `ratio` device pixels to each of ours; `ground` shows where it is cut out."""
+    below = ground or _opposite(colour)
+
+    def make() -> QPixmap:
+        text = _source(name).replace("currentColor", colour.name()).replace("#ground", below.name())
+        drawing, place = QSvgRenderer(QByteArray(text.encode())), QRectF(0, 0, size_px, size_px)
+        return drawn_pixmap(size_px, size_px, ratio, lambda painter: drawing.render(painter, place))
+
+    return stamp(("icon", name, colour.name(), below.name(), size_px, ratio), make)
 
 
 def paint(painter: QPainter, place: QRectF, name: str, colour: QColor, ground: QColor | None = None) -> None:
-    """Draw an icon into a place; `ground` is what shows through where it is cut out."""
-    text = _source(name).replace("currentColor", colour.name())
-    text = text.replace("#ground", (ground or _opposite(colour)).name())
-    QSvgRenderer(QByteArray(text.encode())).render(painter, place)
+    """Draw an icon into a square place; `ground` is what shows through where it is cut out."""
+    drawn = pixmap(name, colour, place.width(), painter.device().devicePixelRatioF(), ground)
+    painter.drawPixmap(place.topLeft().toPoint(), drawn)
 
 
 def _opposite(colour: QColor) -> QColor:

@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPaintEvent, QP
 from PySide6.QtWidgets import QWidget
 
 from fruitgui.gui.theme.kinds import KindMark, Shape
+from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import FAMILY
 
 INK = QColor("#0b0e10")
@@ -39,15 +40,25 @@ def paint_mark(painter: QPainter, place: QRectF, mark: KindMark) -> None:
     painter.restore()
 
 
-def mark_pixmap(mark: KindMark, size_px: int, ratio: float = 1.0) -> QPixmap:
+def mark_pixmap(mark: KindMark, size_px: float, ratio: float = 1.0) -> QPixmap:
     """Return a mark as a picture."""
-    drawn = QPixmap(round(size_px * ratio), round(size_px * ratio))
-    drawn.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(drawn)
-    paint_mark(painter, QRectF(drawn.rect()), mark)
-    painter.end()
-    drawn.setDevicePixelRatio(ratio)
-    return drawn
+    place = QRectF(0, 0, size_px, size_px)
+
+    def make() -> QPixmap:
+        return drawn_pixmap(size_px, size_px, ratio, lambda painter: paint_mark(painter, place, mark))
+
+    return stamp(("mark", mark, size_px, ratio), make)
+
+
+def point_pixmap(mark: KindMark, size_px: float, ratio: float = 1.0) -> QPixmap:
+    """Return a point of a kind's colour, for where its mark would be too small to be read."""
+
+    def paint(painter: QPainter) -> None:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(mark.colour))
+        painter.drawEllipse(QRectF(0, 0, size_px, size_px))
+
+    return stamp(("point", mark.colour, size_px, ratio), lambda: drawn_pixmap(size_px, size_px, ratio, paint))
 
 
 class KindMarkView(QWidget):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import multiprocessing
+import pickle
 import queue
 import signal
 import threading
@@ -154,7 +155,7 @@ class Bench:
             job, answer = asked
             self._asked.put(answer)
             try:
-                pipe.send(job)
+                send(pipe, job)
             except OSError:
                 self._give_up()
             if self._lost:
@@ -167,7 +168,7 @@ class Bench:
             pipe.recv()
             self._up = True
             while True:
-                done, error = pipe.recv()
+                done, error = receive(pipe)
                 self._settle(self._asked.get_nowait(), done, error)
         except (EOFError, OSError, queue.Empty):
             self._give_up()
@@ -208,10 +209,33 @@ def work(hands: Hands, pipe: Connection) -> None:
     try:
         pipe.send(None)
         while True:
-            job = pipe.recv()
-            pipe.send(attempted(worker, job))
+            send(pipe, attempted(worker, receive(pipe)))
     except (EOFError, OSError):
         return
+
+
+def send(pipe: Connection, thing: object) -> None:
+    """Send a thing so that its arrays go through the pipe as they lie in memory.
+
+    Copied into one piece first, as `Connection.send` does, they would keep every other thread of the process waiting.
+    """
+    arrays: list[pickle.PickleBuffer] = []
+    head = pickle.dumps(thing, protocol=5, buffer_callback=arrays.append)
+    raw = [array.raw() for array in arrays]
+    pipe.send_bytes(pickle.dumps((head, [one.nbytes for one in raw])))
+    for one in raw:
+        if one.nbytes:
+            pipe.send_bytes(one)
+
+
+def receive(pipe: Connection) -> Any:  # noqa: ANN401 - whatever was sent
+    """Return what was sent; its arrays may be written to."""
+    head, sizes = pickle.loads(pipe.recv_bytes())  # noqa: S301 - from our own process
+    arrays = [bytearray(size) for size in sizes]
+    for array in arrays:
+        if array:
+            pipe.recv_bytes_into(array)
+    return pickle.loads(head, buffers=arrays)  # noqa: S301 - from our own process
 
 
 def attempted(worker: Worker, job: Look | Weigh) -> tuple[Observation | Judgement | None, str | None]:

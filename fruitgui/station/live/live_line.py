@@ -103,7 +103,7 @@ class LiveLine:
         self._phase = Phase.STOPPED
         self._frames = self._skipped = 0
         self._shown_s = 0.0
-        self._previewed_s: dict[str, float] = {}
+        self._preview_due_s: dict[str, float] = {}
 
     def start(self) -> None:
         """Start. Once only: make a new line to start again."""
@@ -259,8 +259,9 @@ class LiveLine:
 
     def _show(self, arrival: Arrival, observation: Observation) -> None:
         now_s, sensor = time.monotonic(), arrival.frame.sensor
-        if now_s - self._previewed_s.get(sensor, -1.0) >= 1.0 / SHOWN_HZ:
-            self._previewed_s[sensor] = now_s
+        due_s, period_s = self._preview_due_s.get(sensor, 0.0), 1.0 / SHOWN_HZ
+        if now_s >= due_s:  # counted from when it was due, or frames nearly as far apart would leave out every other
+            self._preview_due_s[sensor] = max(due_s, now_s - period_s) + period_s
             self._previews[sensor] = self._following.preview(arrival, observation.sensor)
         if now_s - self._shown_s >= 1.0 / SHOWN_HZ:
             self._shown_s = now_s

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import multiprocessing
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -15,6 +17,7 @@ from fruitgui.simulation.device import KINECT_COLOR
 from fruitgui.simulation.show import Show
 from fruitgui.simulation.supply import LineOptions
 from fruitgui.station.live.above import FromAbove, pictured_spread, spread_of
+from fruitgui.station.live.bench import receive, send
 from fruitgui.station.live.bump import looks_moved
 from fruitgui.station.live.crops import LONGEST_PX, MOST_SENSORS, MOST_TRACKS, Album, coded
 from fruitgui.station.live.intake import ClockWatch
@@ -147,3 +150,20 @@ def test_a_glance_tells_a_belt_that_moved_from_one_that_did_not(tilt_deg: float,
         normal = turn @ plane.normal
         moved = Plane(normal, float(-normal @ foot) + lift_m)
         assert looks_moved(frame, moved) == bool(tilt_deg or lift_m)
+
+
+def test_arrays_come_through_the_pipe_as_they_were_and_may_be_written_to() -> None:
+    ours, theirs = multiprocessing.get_context("spawn").Pipe()
+    sent = {
+        "large": np.arange(2000.0).reshape(40, 50),
+        "turned": np.arange(6).reshape(2, 3).T,
+        "none": np.zeros((0, 2)),
+    }
+    with ours, theirs:
+        send(ours, ("look", sent))
+        word, got = receive(theirs)
+    assert word == "look"
+    assert got.keys() == sent.keys()
+    for name, array in sent.items():
+        assert np.array_equal(got[name], array)
+        got[name][...] = 1

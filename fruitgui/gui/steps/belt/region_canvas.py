@@ -13,13 +13,16 @@ from PySide6.QtGui import (
     QPainterPath,
     QPaintEvent,
     QPen,
+    QPixmap,
     QPolygonF,
+    QResizeEvent,
     QTransform,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.frame import F64
 from fruitgui.gui.steps.belt.projection import Projection, grid_lines
+from fruitgui.gui.theme.stamps import drawn_pixmap
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import DARK, RADIUS, TOUCH
 
@@ -59,11 +62,12 @@ class RegionCanvas(QWidget):
         self._axis_rad = 0.0
         self._arrow_m: tuple[F64, F64] | None = None
         self._held: int | None = None
+        self._over: QPixmap | None = None
         self.corner = 0
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(320, 200)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        theme.changed.connect(self.update)
+        theme.changed.connect(self._draw_anew)
 
     @property
     def view(self) -> Projection | None:
@@ -74,7 +78,7 @@ class RegionCanvas(QWidget):
         """Show another view; its picture comes by itself."""
         self._view = view
         self._image = QImage()
-        self.update()
+        self._draw_anew()
 
     def show_image(self, image: QImage) -> None:
         """Show another picture of the same view."""
@@ -90,7 +94,7 @@ class RegionCanvas(QWidget):
         """
         self._corners_m, self._axis_rad, self._arrow_m = corners_m, axis_rad, arrow_m
         self.corner = min(self.corner, max(len(corners_m) - 1, 0))
-        self.update()
+        self._draw_anew()
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Return the size that it wants."""
@@ -112,7 +116,7 @@ class RegionCanvas(QWidget):
             self._held = self.corner_at(event.position())
             if self._held is not None:
                 self.corner = self._held
-            self.update()
+            self._draw_anew()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802 - Qt's name
         """Drag it."""
@@ -131,7 +135,7 @@ class RegionCanvas(QWidget):
             self._push(np.array(_ARROWS[key]), FAR_STEP_M if far else STEP_M)
         elif key in (Qt.Key.Key_Space, Qt.Key.Key_N) and count:
             self.corner = (self.corner + 1) % count
-            self.update()
+            self._draw_anew()
         elif key in (Qt.Key.Key_Insert, Qt.Key.Key_Plus):
             self.added.emit(self.corner)
         elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Minus):
@@ -156,12 +160,30 @@ class RegionCanvas(QWidget):
             if self._view is not None:
                 if not self._image.isNull():
                     painter.drawImage(self._place(self._view), self._image)
-                self._paint_region(painter, self._view)
+                painter.drawPixmap(0, 0, self._region(self._view))
             painter.setClipping(False)
             if self.hasFocus():
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.setPen(QPen(self._theme.colour("accent"), 3))
                 painter.drawRoundedRect(QRectF(self.rect()).adjusted(1.5, 1.5, -1.5, -1.5), RADIUS, RADIUS)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Draw the region for another size."""
+        super().resizeEvent(event)
+        self._draw_anew()
+
+    def _draw_anew(self) -> None:
+        self._over = None
+        self.update()
+
+    def _region(self, view: Projection) -> QPixmap:
+        """Return what lies over the pictures; they change many times a second, it hardly ever."""
+        if self._over is None:
+            ratio = self.devicePixelRatioF()
+            self._over = drawn_pixmap(
+                self.width(), self.height(), ratio, lambda painter: self._paint_region(painter, view)
+            )
+        return self._over
 
     def _place(self, view: Projection) -> QRectF:
         """Return where the view's picture is on the screen."""

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPolygonF, QTransform
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPixmap, QTransform
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from fruitgui.frame import F64
 from fruitgui.gui.drawn import BeltMap, MappedFruit
 from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
-from fruitgui.gui.widgets.kind_mark import paint_mark
-from fruitgui.gui.widgets.sensor_picture import paint_ellipse
+from fruitgui.gui.widgets.kind_mark import mark_pixmap, point_pixmap
+from fruitgui.gui.widgets.strokes import ellipse, on_screen, paint_lines, path_of
 
 MARGIN = 0.04
 LETTERS_FROM_PX = 9.0
@@ -46,10 +48,8 @@ class BeltView(QWidget):
             belt = self._map
             if belt is not None and belt.footprints_m:
                 to_screen = self._fitted(belt)
-                for number, (sensor, corners_m) in enumerate(belt.footprints_m.items()):
-                    self._paint_footprint(painter, sensor, corners_m, to_screen, belt, number)
-                for fruit in belt.fruit:
-                    self._paint_fruit(painter, fruit, to_screen)
+                painter.drawPixmap(0, 0, self._ground_of(belt, to_screen))
+                self._paint_fruit(painter, belt.fruit, to_screen)
                 self._paint_speed(painter, belt)
             else:
                 painter.setFont(self._theme.font("small"))
@@ -67,8 +67,19 @@ class BeltView(QWidget):
         to_screen = QTransform.fromTranslate(self.width() / 2.0, self.height() / 2.0)
         return to_screen.scale(scale, -scale).translate(-middle[0], -middle[1])
 
+    def _ground_of(self, belt: BeltMap, to_screen: QTransform) -> QPixmap:
+        """Return what the sensors see of the belt, drawn anew only where that changed."""
+        corners = tuple((sensor, one.tobytes()) for sensor, one in belt.footprints_m.items())
+        key = ("belt", corners, sorted(belt.blind), self.size().toTuple(), self.devicePixelRatioF(), self._theme.name)
+
+        def paint(painter: QPainter) -> None:
+            for number, sensor in enumerate(belt.footprints_m):
+                self._paint_footprint(painter, sensor, to_screen, belt, number)
+
+        return stamp(key, lambda: drawn_pixmap(self.width(), self.height(), self.devicePixelRatioF(), paint))
+
     def _paint_footprint(
-        self, painter: QPainter, sensor: str, corners_m: F64, to_screen: QTransform, belt: BeltMap, number: int
+        self, painter: QPainter, sensor: str, to_screen: QTransform, belt: BeltMap, number: int
     ) -> None:
         blind = sensor in belt.blind
         colour = self._theme.colour("bad" if blind else "accent")
@@ -76,30 +87,27 @@ class BeltView(QWidget):
         fill.setAlpha(18)
         painter.setBrush(Qt.BrushStyle.BDiagPattern if blind else fill)
         painter.setPen(QPen(colour, 1.5, Qt.PenStyle.DashLine if blind else Qt.PenStyle.SolidLine))
-        polygon = to_screen.map(QPolygonF([QPointF(x, y) for x, y in corners_m.tolist()]))
-        painter.drawPolygon(polygon)
+        polygon = path_of([on_screen(belt.footprints_m[sensor], to_screen)], closed=True)
+        painter.drawPath(polygon)
         painter.setFont(self._theme.font("small"))
         painter.setPen(self._theme.colour("bad" if blind else "text_dim"))
         box = polygon.boundingRect().adjusted(GRID, GRID / 2, -GRID, -GRID / 2)
         side = Qt.AlignmentFlag.AlignTop if number % 2 == 0 else Qt.AlignmentFlag.AlignBottom
         painter.drawText(box, side | Qt.AlignmentFlag.AlignRight, sensor)
 
-    def _paint_fruit(self, painter: QPainter, fruit: MappedFruit, to_screen: QTransform) -> None:
-        colour = QColor(fruit.mark.colour)
-        if len(fruit.trail_m) > 1:
-            painter.setPen(QPen(colour, 1.5, Qt.PenStyle.DotLine))
-            painter.drawPolyline(to_screen.map(QPolygonF([QPointF(x, y) for x, y in fruit.trail_m.tolist()])))
-        centre = to_screen.map(QPointF(fruit.ellipse.x, fruit.ellipse.y))
-        radius = max(fruit.radius_m * float(np.sqrt(abs(to_screen.determinant()))), 4.0)
-        if radius >= LETTERS_FROM_PX:
-            paint_mark(painter, QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius), fruit.mark)
-        else:
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(colour)
-            painter.drawEllipse(centre, radius, radius)
-        painter.setPen(QPen(self._theme.colour("text"), 1.5))
+    def _paint_fruit(self, painter: QPainter, fruit: Sequence[MappedFruit], to_screen: QTransform) -> None:
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        paint_ellipse(painter, fruit.ellipse, to_screen)
+        for colour in dict.fromkeys(one.mark.colour for one in fruit):
+            some = [one for one in fruit if one.mark.colour == colour]
+            paint_lines(painter, [on_screen(one.trail_m, to_screen) for one in some], QColor(colour))
+        scale, ratio = to_screen.m11(), self.devicePixelRatioF()
+        for one in fruit:
+            size = round(2.0 * max(one.radius_m * scale, 4.0))
+            x, y = one.ellipse.x * scale + to_screen.dx(), one.ellipse.y * to_screen.m22() + to_screen.dy()
+            draw = mark_pixmap if size >= 2.0 * LETTERS_FROM_PX else point_pixmap
+            painter.drawPixmap(QPointF(x - size / 2, y - size / 2), draw(one.mark, size, ratio))
+        ellipses = [ellipse(one.ellipse, to_screen) for one in fruit]
+        paint_lines(painter, ellipses, self._theme.colour("text"), closed=True)
 
     def _paint_speed(self, painter: QPainter, belt: BeltMap) -> None:
         if belt.speed_m_s is None:

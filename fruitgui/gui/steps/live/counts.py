@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.gui.drawn import KindLine
 from fruitgui.gui.numbers import THIN, count_text, number_text
+from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.kind_mark import paint_mark
@@ -54,9 +55,8 @@ class CountsView(QWidget):
             rows = max(len(self._lines), 1)
             height = min(max((self.height() - top) / rows, LOWEST), TALLEST)
             for number, line in enumerate(self._lines):
-                self._paint_line(
-                    painter, line, QRectF(0, top + number * height, self.width(), height), ruled=number > 0
-                )
+                drawn = self._row(line, height, ruled=number > 0)
+                painter.drawPixmap(QPointF(0, top + number * height), drawn)
 
     def _paint_total(self, painter: QPainter) -> float:
         theme = self._theme
@@ -71,12 +71,21 @@ class CountsView(QWidget):
         painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.tr("All fruit"))
         painter.setFont(theme.font("small"))
         painter.setPen(theme.colour("text_dim"))
-        text = self.tr("{litres} · {rate}/min").format(
-            litres=f"{number_text(litres, 1)}{THIN}l", rate=number_text(rate, 0)
-        )
+        text = self.tr("{litres} · {rate}/min").format(litres=f"{number_text(litres, 1)}{THIN}l", rate=count_text(rate))
         middle = box.adjusted(0, 0, -QFontMetricsF(theme.font("title")).horizontalAdvance("0 000 000"), 0)
         painter.drawText(middle, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, text)
         return height + GRID
+
+    def _row(self, line: KindLine, height: float, *, ruled: bool) -> QPixmap:
+        """Return a kind's row; of all rows few change from look to look."""
+        theme, box, ratio = self._theme, QRectF(0, 0, self.width(), height), self.devicePixelRatioF()
+        key = ("count", line, box.width(), height, ruled, ratio, theme.name, theme.text_scale, self.tr("{rate}/min"))
+        return stamp(
+            key,
+            lambda: drawn_pixmap(
+                box.width(), height, ratio, lambda painter: self._paint_line(painter, line, box, ruled=ruled)
+            ),
+        )
 
     def _paint_line(self, painter: QPainter, line: KindLine, box: QRectF, *, ruled: bool) -> None:
         theme = self._theme
@@ -119,7 +128,7 @@ class CountsView(QWidget):
         if line.volume_ml is not None:
             spread = "" if line.spread_ml is None else f" (±{number_text(line.spread_ml, 0)})"
             parts.append(f"⌀ {number_text(line.volume_ml, 0)}{spread}{THIN}ml")
-        parts.append(self.tr("{rate}/min").format(rate=number_text(line.per_minute, 0)))
+        parts.append(self.tr("{rate}/min").format(rate=count_text(line.per_minute)))
         parts.append(f"{number_text(line.total_l, 1)}{THIN}l")
         if line.mass_kg is not None:
             parts.append(f"{number_text(line.mass_kg, 1)}{THIN}kg")

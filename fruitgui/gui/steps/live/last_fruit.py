@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPainterPath, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.gui.drawn import LastFruit
 from fruitgui.gui.numbers import measured_text, percent_text
 from fruitgui.gui.theme.kinds import UNKNOWN
+from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.kind_mark import paint_mark
@@ -58,7 +59,18 @@ class LastFruitView(QWidget):
             room = max(self.width() // WIDEST, 1)
             width = self.width() / room
             for number, fruit in enumerate(self._fruit[:room]):
-                self._paint(painter, fruit, QRectF(number * width, 0, width - GRID, HEIGHT), newest=number == 0)
+                drawn = self._card(fruit, width - GRID, newest=number == 0)
+                painter.drawPixmap(QPointF(number * width, 0), drawn)
+
+    def _card(self, fruit: LastFruit, width: float, *, newest: bool) -> QPixmap:
+        theme, box, ratio = self._theme, QRectF(0, 0, width, HEIGHT), self.devicePixelRatioF()
+        key = ("fruit", id(self), fruit.key, fruit.name, width, newest, ratio, theme.name, theme.text_scale)
+        return stamp(
+            key,
+            lambda: drawn_pixmap(
+                width, HEIGHT, ratio, lambda painter: self._paint(painter, fruit, box, newest=newest)
+            ),
+        )  # fmt: skip
 
     def _paint(self, painter: QPainter, fruit: LastFruit, box: QRectF, *, newest: bool) -> None:
         theme = self._theme

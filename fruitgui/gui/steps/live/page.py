@@ -26,8 +26,7 @@ from fruitgui.station.live.state import Preview
 from fruitgui.station.workflow import State, Step
 
 DRAW_MS = 40
-HISTOGRAM_EVERY = 10
-"""The histogram is drawn anew at every tenth look: a second's fruit hardly change it."""
+"""In so long every picture is drawn, and one other part; each at its own moment, so that none holds up a key."""
 
 
 class LivePage(StepPage):
@@ -38,16 +37,17 @@ class LivePage(StepPage):
         self._session = session
         self._running: Running = session.running
         self._marks = Marks()
-        self._looks = 0
+        self._drawn: dict[str, object] = {}
+        self._turn = self._part = 0
+        self._parts = (self._draw_belt, self._draw_counts, self._draw_belt, self._draw_last, self._draw_histogram)
         self._dialog: LotDialog | None = None
         self.body = LiveLayout(theme, self)
         self.empty = EmptyPlace(theme, "live", parent=self)
         self._make_actions()
         self._lay_out()
         self._draw = QTimer(self, interval=DRAW_MS)
-        self._draw.timeout.connect(self._draw_pictures)
+        self._draw.timeout.connect(self._draw_next)
         self._running.changed.connect(self._follow)
-        self._running.ticked.connect(self._draw_numbers)
         session.states_changed.connect(self._follow)
         self._say_words()
         self._follow()
@@ -56,7 +56,6 @@ class LivePage(StepPage):
         """Draw while in view."""
         self._draw.start()
         self._follow()
-        self._draw_numbers()
 
     def left(self) -> None:
         """Draw no more; the line goes on."""
@@ -67,7 +66,6 @@ class LivePage(StepPage):
         if event.type() == QEvent.Type.LanguageChange:
             self._say_words()
             self._follow()
-            self._draw_numbers()
         super().changeEvent(event)
 
     def _make_actions(self) -> None:
@@ -141,6 +139,7 @@ class LivePage(StepPage):
             self.offer(self.end, self.name, self.pause)
             self.say(self.tr("Lot {name} is running.").format(name=lot.name))
         self._show_sensors()
+        self._draw_parts()
 
     def _say_unnamed(self) -> None:
         count = self._running.unnamed
@@ -153,6 +152,8 @@ class LivePage(StepPage):
     def _show_sensors(self) -> None:
         feed = self._session.connected.feed
         self.body.pictures.show_sensors(() if feed is None else feed.sensors)
+        self._drawn = {}
+        self._draw.setInterval(DRAW_MS // (len(self.body.pictures.pictures) + 1))
         self._show_overlays()
 
     def _show_overlays(self) -> None:
@@ -160,35 +161,51 @@ class LivePage(StepPage):
         for picture in self.body.pictures.pictures.values():
             picture.show_overlays(chosen)
 
-    def _draw_pictures(self) -> None:
-        """Draw the newest pictures, with what the line saw in them where it runs."""
-        feed = self._session.connected.feed
-        if feed is None:
-            return
-        seen, health = self._running.previews, self._session.connected.health
-        for sensor, picture in self.body.pictures.pictures.items():
-            preview = seen.get(sensor) or plain_preview(feed, sensor)
-            if preview is not None:
-                picture.show_picture(presenter.drawn_picture(preview, self._marks, health.get(sensor)))
+    def _draw_next(self) -> None:
+        """Draw the next sensor's picture, or after the last of them the next part."""
+        feed, pictures = self._session.connected.feed, self.body.pictures.pictures
+        self._turn = (self._turn + 1) % (len(pictures) + 1)
+        if self._turn < len(pictures) and feed is not None:
+            self._draw_picture(feed, list(pictures)[self._turn])
+        elif self._running.running:
+            self._part = (self._part + 1) % len(self._parts)
+            self._parts[self._part]()
 
-    def _draw_numbers(self) -> None:
-        if not self._draw.isActive():
+    def _draw_picture(self, feed: Feed, sensor: str) -> None:
+        """Draw a sensor's newest picture, with what the line saw in it where it runs."""
+        preview = self._running.previews.get(sensor) or plain_preview(feed, sensor)
+        well = self._session.connected.health.get(sensor)
+        if preview is None or self._drawn.get(sensor) == (preview.sequence, preview.fruit, well):
             return
-        now_s = time.monotonic()
-        tally = self._running.tally
-        for kind in self._running.kinds:
+        self._drawn[sensor] = (preview.sequence, preview.fruit, well)
+        self.body.pictures.pictures[sensor].show_picture(presenter.drawn_picture(preview, self._marks, well))
+
+    def _draw_parts(self) -> None:
+        """Draw everything but the pictures, at once."""
+        for part in dict.fromkeys(self._parts):
+            part()
+
+    def _draw_counts(self) -> None:
+        tally, kinds = self._running.tally, self._running.kinds
+        for kind in kinds:
             self._marks.of(kind)
-        self.body.counts.show_lines(presenter.kind_lines(tally, self._running.kinds, self._marks, now_s))
+        self.body.counts.show_lines(presenter.kind_lines(tally, kinds, self._marks, time.monotonic()))
+        self._say_unnamed()
+
+    def _draw_belt(self) -> None:
         state = self._running.state
         if state is not None:
             self.body.belt.show_map(presenter.belt_map(state, self._marks))
+
+    def _draw_last(self) -> None:
+        state = self._running.state
+        if state is not None:
             self.body.last.show_fruit(presenter.last_fruit(state.last, self._marks))
-        self._say_unnamed()
-        if self._looks % HISTOGRAM_EVERY == 0:
-            histogram = tally.histogram()
-            low, high = (0.0, 1.0) if histogram is None else (histogram.low_ml, histogram.high_ml)
-            self.body.histogram.show_bars(presenter.bars(histogram, self._marks), low, high)
-        self._looks += 1
+
+    def _draw_histogram(self) -> None:
+        histogram = self._running.tally.histogram()
+        low, high = (0.0, 1.0) if histogram is None else (histogram.low_ml, histogram.high_ml)
+        self.body.histogram.show_bars(presenter.bars(histogram, self._marks), low, high)
 
     def _ask(self) -> None:
         """Ask for the lot's name."""

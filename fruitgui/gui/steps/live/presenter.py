@@ -138,7 +138,7 @@ def _kind_line(kind: str, total: KindSum, marks: Marks, per_minute: float) -> Ki
         spread_ml=total.spread_ml,
         total_l=total.volume_ml / ML_PER_L,
         mass_kg=total.mass_kg,
-        per_minute=per_minute,
+        per_minute=round(per_minute),
     )
 
 

@@ -26,7 +26,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.view_pictures import ViewPictures
 from fruitgui.gui.widgets.histogram import ticks
-from fruitgui.gui.widgets.sensor_picture import paint_ellipse
+from fruitgui.gui.widgets.strokes import ellipse, path_of
 
 STRIP = 72
 INK = QColor("#f4f6f7")
@@ -210,8 +210,7 @@ class WayView(QWidget):
         fill.setAlpha(90)
         painter.setBrush(fill)
         painter.setPen(QPen(self._theme.colour("text"), 1))
-        for one in way.spreads:
-            paint_ellipse(painter, one, to_screen)
+        painter.drawPath(path_of([ellipse(one, to_screen) for one in way.spreads], closed=True))
         self._paint_scale(painter, scale, words)
 
     def _paint_scale(self, painter: QPainter, scale: float, words: QRectF) -> None:
