@@ -1,0 +1,1 @@
+"""How quick the window is, and what holds it up."""
