@@ -1,9 +1,11 @@
 """Depth of a camera of its own brought into the colour camera's picture.
 
-Each reading is put where the colour camera sees its point, both lenses
-included; where several meet, the nearest surface wins. Where the colour
-picture is finer than the depth, the gaps between neighbours of one surface
-are filled; nothing is filled across an edge or into a hole.
+Each reading is drawn over the area that its pixel covers in the colour
+picture, both lenses included: over every colour pixel whose middle lies in
+it. Where several meet, the nearest surface wins. Drawn as points, surfaces
+would end half a depth pixel early and half a colour pixel late, and shrink or
+grow unless both are alike. Where a surface slopes, neighbours part by less
+than a pixel; such cracks are closed, wider gaps and edges stay as they are.
 """
 
 from __future__ import annotations
@@ -15,19 +17,16 @@ import numpy as np
 
 from fruitgui.frame import F32, F64, U16, Bools, Intrinsics, Ints
 from fruitgui.geometry.pose import Pose
+from fruitgui.sensors.footprints import EMPTY, nearest, reach, spread, without_cracks
 from fruitgui.sensors.lens import pixels_of_rays
 
 _NEAREST_M, _FARTHEST_M = 0.3, 8.0
 _FARTHEST_MM = 60000.0
 _CLOSE_ENOUGH_PX = 0.1
 """A polynomial nearer than this to the true pixel, everywhere in view, stands in for the projection."""
-_SAME_SURFACE_SHIFT = 6
-"""Readings nearer to each other than 1/64 of the distance are of one surface."""
-_EMPTY = 64000
-"""Stands for "no reading" while readings are drawn: farther than any, and any reading goes before it."""
 _EVERY, _SOME = slice(None), slice(None, None, 41)
-_NO_GAPS_BELOW = 0.98
-_WIDEST_GAP_PX = 8
+_WIDEST_HALF_PX = 8.0
+"""No reading reaches farther than this from its middle: more is where the colour camera stops seeing."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,34 +49,54 @@ class Registration:
         Args:
             depth_mm: (depth.height, depth.width), 0 = no reading.
         """
-        z_mm = np.ascontiguousarray(depth_mm).ravel()
-        z_in_color, places = self._z_in_color(z_mm), self._places(z_mm)
-        rows, columns = self.color.height + 2, self.color.width + 2
-        picture = _nearest(rows, columns, places, z_in_color)[1:-1, 1:-1]
-        picture[picture == _EMPTY] = 0
-        return _without_gaps(picture, *self._gaps)
+        places, z_in_color = self._covered(np.ascontiguousarray(depth_mm).ravel())
+        picture = nearest(self.color.height * self.color.width, places, z_in_color)
+        picture[picture == EMPTY] = 0
+        return without_cracks(picture.reshape(self.color.height, self.color.width))
 
-    def _places(self, z_mm: U16) -> Ints:
-        """Return where in the canvas, which has a border of one pixel, each reading falls."""
+    def _covered(self, z_mm: U16) -> tuple[Ints, U16]:
+        """Return the places, in the picture laid out row by row, that readings cover, and the depth there."""
+        u, v = self._middles(z_mm)
+        half_v = self._halves[1]
+        left, wide = reach(*self._sides(u), self.color.width)
+        corners, high = reach(v - half_v, v + half_v, self.color.height)
+        corners *= self.color.width
+        corners += left
+        z_in_color = self._z_in_color(z_mm)
+        np.copyto(high, 0, where=z_in_color == EMPTY)
+        return spread(corners, wide, high, self.color.width, z_in_color)
+
+    def _middles(self, z_mm: U16) -> tuple[F32, F32]:
+        """Return where in the colour picture (u, v) the middle of each reading falls, (N,) each."""
         if self._polynomials is None:
             u, v = (one.astype(np.float32) for one in self._pixels(np.maximum(z_mm, 1) * 1e-3))
-        else:
-            w = _INVERSE_DEPTH[z_mm]
-            u, v = (_value(coefficients, w) for coefficients in self._polynomials)
-        np.clip(u, -1.0, self.color.width, out=u)
-        np.clip(v, -1.0, self.color.height, out=v)
-        u += np.float32(1.5)
-        v += np.float32(1.5)
-        places = v.astype(np.intp)
-        places *= self.color.width + 2
-        places += u.astype(np.int32)
-        return places
+            return u, v
+        w = _INVERSE_DEPTH.take(z_mm)
+        u, v = (_value(coefficients, w) for coefficients in self._polynomials)
+        return u, v
+
+    def _sides(self, u: F32) -> tuple[F32, F32]:
+        """Return where each reading begins and ends along the colour picture's rows, (N,) each.
+
+        The cameras stand side by side, so across a slope readings draw apart or
+        together; neighbours of one surface meet half way between their middles.
+        """
+        half, grid = self._halves[0], (self.depth.height, self.depth.width)
+        left, right, middles = u - half, u + half, u.reshape(grid)
+        apart = middles[:, 1:] - middles[:, :-1]
+        apart -= self._steps
+        apart *= 0.5
+        np.copyto(apart, 0.0, where=np.abs(apart) > self._most_apart_px)
+        left.reshape(grid)[:, 1:] -= apart
+        right.reshape(grid)[:, :-1] += apart
+        return left, right
 
     def _z_in_color(self, z_mm: U16) -> U16:
-        """Return the depth along the colour camera's axis, `_EMPTY` where there is none."""
-        z: F32 = z_mm * self._directions[2]
+        """Return the depth along the colour camera's axis, `EMPTY` where there is none."""
+        z = z_mm.astype(np.float32)
+        z *= self._directions[2]
         z += np.float32(self.pose.translation_m[2] * 1e3 + 0.5)
-        np.copyto(z, np.float32(_EMPTY), where=(z_mm == 0) | (z < 1.0) | (z > _FARTHEST_MM))
+        np.copyto(z, np.float32(EMPTY), where=(z_mm == 0) | (z < 1.0) | (z > _FARTHEST_MM))
         return np.asarray(z, dtype=np.uint16)
 
     @cached_property
@@ -123,16 +142,31 @@ class Registration:
         return np.asarray((u > -1) & (u < self.color.width) & (v > -1) & (v < self.color.height))
 
     @cached_property
-    def _gaps(self) -> tuple[int, int]:
-        """Empty pixels that may lie between neighbours of one surface at 1 m: (along rows, along columns)."""
-        u, v = (one.reshape(self.depth.height, self.depth.width) for one in self._pixels(np.array(1.0)))
-        return _gap(np.diff(u, axis=1)), _gap(np.diff(v, axis=0))
+    def _halves(self) -> tuple[F32, F32]:
+        """How far each depth pixel reaches from its middle along u and v, colour pixels at 1 m: (N,) each.
+
+        It is a square turned a little; the upright one of the same size stands for it.
+        """
+        u, v = (_half(one.reshape(self.depth.height, self.depth.width)) for one in self._pixels(np.array(1.0)))
+        return u, v
+
+    @cached_property
+    def _steps(self) -> F32:
+        """From each depth pixel's middle to the next one's in its row on a level surface: (rows, columns - 1)."""
+        half = self._halves[0].reshape(self.depth.height, self.depth.width)
+        return half[:, 1:] + half[:, :-1]
+
+    @cached_property
+    def _most_apart_px(self) -> np.float32:
+        """How far the edge between neighbours of one surface may lie from where it does on a level one."""
+        return np.float32(0.25 * np.median(self._halves[0]))
 
 
-def _gap(steps_px: F64) -> int:
-    steps = steps_px[(steps_px > 0) & (steps_px < _WIDEST_GAP_PX + 1)]
-    widest = float(np.quantile(steps, 0.99)) if steps.size else 0.0
-    return 0 if widest < _NO_GAPS_BELOW else min(max(int(np.ceil(widest)) - 1, 1), _WIDEST_GAP_PX)
+def _half(pixels: F64) -> F32:
+    """Return half of what a coordinate (rows, columns) changes over one pixel of its grid, (N,)."""
+    steps = [np.gradient(pixels, axis=axis) for axis in (0, 1) if pixels.shape[axis] > 1]
+    half = 0.5 * np.sqrt(sum((step**2 for step in steps), np.zeros(pixels.shape)))
+    return np.minimum(half, _WIDEST_HALF_PX).astype(np.float32).ravel()
 
 
 _INVERSE_DEPTH = np.zeros(65536, dtype=np.float32)
@@ -145,59 +179,3 @@ def _value(coefficients: F32, w: F32) -> F32:
     value *= w
     value += coefficients[0]
     return value
-
-
-def _nearest(rows: int, columns: int, places: Ints, z_mm: U16) -> U16:
-    """Draw each reading at its place; where several meet, one of the nearest surface stays.
-
-    Of readings of one surface any may stay: always keeping the least would pull
-    the surface towards the sensor by the noise.
-    """
-    canvas: U16 = np.full(rows * columns, _EMPTY, dtype=np.uint16)
-    canvas[places] = z_mm
-    picture = canvas.reshape(rows, columns)
-    picture[(0, -1), :] = 0
-    picture[:, (0, -1)] = 0
-    nearer = _goes_before(z_mm, canvas.take(places))
-    while len(nearer):
-        places, z_mm = places[nearer], z_mm[nearer]
-        canvas[places] = z_mm
-        nearer = _goes_before(z_mm, canvas.take(places))
-    return picture
-
-
-def _goes_before(z_mm: U16, drawn_mm: U16) -> Ints:
-    """Return which readings are of a surface that is nearer than what is drawn in their place."""
-    return np.flatnonzero(z_mm + (z_mm >> _SAME_SURFACE_SHIFT) < drawn_mm)
-
-
-def _without_gaps(depth_mm: U16, along_rows: int, along_columns: int) -> U16:
-    """Fill gaps of up to so many pixels whose two ends are of one surface.
-
-    The grid of readings is bent, so its rows step from one row of the picture to
-    the next; what is open at such a step is closed along the rows once the
-    columns beside it are.
-    """
-    if along_rows:
-        depth_mm = _fill(depth_mm, along_rows)
-    if along_columns:
-        depth_mm = np.ascontiguousarray(_fill(np.ascontiguousarray(depth_mm.T), along_columns).T)
-        depth_mm = _fill(depth_mm, max(along_rows, 1))
-    return depth_mm
-
-
-def _fill(depth_mm: U16, widest: int) -> U16:
-    """Fill gaps within the rows, also those through which a farther surface shines."""
-    filled = depth_mm.copy()
-    for gap in range(1, widest + 1):
-        left, right = filled[:, : -gap - 1], filled[:, gap + 1 :]
-        near, far = np.minimum(left, right), np.maximum(left, right)
-        far += far >> _SAME_SURFACE_SHIFT
-        one_surface = (near > 0) & (far - near <= near >> (_SAME_SURFACE_SHIFT - 1))
-        for step in range(1, gap + 1):
-            middle = filled[:, step : step - gap - 1]
-            open_here = np.flatnonzero(one_surface & (middle - np.uint16(1) >= far))
-            rows, columns = np.divmod(open_here, middle.shape[1])
-            first, last = left[rows, columns].astype(np.int32), right[rows, columns].astype(np.int32)
-            middle[rows, columns] = (first + (2 * (last - first) * step + gap + 1) // (2 * (gap + 1))).astype(np.uint16)
-    return filled

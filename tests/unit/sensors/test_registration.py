@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+import cv2
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -126,6 +127,156 @@ def test_holes_stay_holes() -> None:
     rows, columns = np.nonzero(inner)
     core = filled[rows.min() + 6 : rows.max() - 6, columns.min() + 6 : columns.max() - 6]
     assert not core.any()
+
+
+@dataclass(frozen=True)
+class Balls:
+    """Balls over a wall, in the depth camera's frame, whose rims are as steep as fruit's."""
+
+    centres_m: F64
+    radii_m: F64
+    wall_m: float = 0.9
+
+    def depth_m(self, camera: Intrinsics, to_scene: Pose) -> tuple[F64, np.ndarray]:
+        """Return (z along the camera's axis, which ball is seen or -1), (height, width) each."""
+        rays = camera.rays().astype(np.float64)
+        directions = to_scene.turn(np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=-1))
+        origin = to_scene.translation_m
+        z, whose = (self.wall_m - origin[2]) / directions[..., 2], np.full(rays.shape[:2], -1)
+        a = (directions * directions).sum(axis=-1)
+        for n, (centre, radius) in enumerate(zip(self.centres_m, self.radii_m, strict=True)):
+            apart = origin - centre
+            b = directions @ apart
+            inside_2 = b * b - a * (apart @ apart - radius * radius)
+            there = np.where(inside_2 > 0, (-b - np.sqrt(np.maximum(inside_2, 0))) / a, np.inf)
+            whose[there < z] = n
+            z = np.minimum(z, there)
+        return z, whose
+
+
+def balls(seed: int) -> Balls:
+    """Two dozen, of 50 to 90 mm, most of them in both pictures."""
+    rng = np.random.default_rng(seed)
+    places = np.array([[x, y, 0.85] for x in (-0.4, -0.24, -0.08, 0.08, 0.24, 0.4) for y in (-0.26, -0.09, 0.09, 0.26)])
+    return Balls(places + rng.uniform(-0.02, 0.02, places.shape), rng.uniform(0.025, 0.045, len(places)))
+
+
+ABOVE_WALL_M = 0.012
+"""What is so much nearer than the wall is a ball's: more than the noise and the rounding of the wall."""
+
+
+def outline_moved_px(got_m: F64, true_m: F64, whose: np.ndarray, wall_m: F64) -> float:
+    """Return how far outlines moved outward on average, colour pixels: from the areas, and the radii these make."""
+    near, true = (got_m > 0) & (got_m < wall_m - ABOVE_WALL_M), (whose >= 0) & (true_m < wall_m - ABOVE_WALL_M)
+    moved = []
+    for n in range(whose.max() + 1):
+        rows, columns = np.nonzero(whose == n)
+        if len(rows) and rows.min() > 4 and columns.min() > 4:
+            around = np.s_[rows.min() - 4 : rows.max() + 5, columns.min() - 4 : columns.max() + 5]
+            if rows.max() + 5 <= whose.shape[0] and columns.max() + 5 <= whose.shape[1]:
+                moved.append(np.sqrt(near[around].sum() / np.pi) - np.sqrt(true[around].sum() / np.pi))
+    assert len(moved) >= 12
+    return float(np.mean(moved))
+
+
+SIDE_BY_SIDE = Pose(rotation_from_vector(np.radians([0.4, -0.6, 0.3])), np.array([0.025, 0.002, -0.003]))
+STRAIGHT = Intrinsics(640, 480, 525.0, 525.0, 319.5, 239.5)
+BENT = Intrinsics(640, 480, 525.0, 525.0, 319.5, 239.5, (0.12, -0.25, 0.001, -0.0008, 0.1))
+BENT_DEPTH = (0.09, -0.27, 0.0, 0.0, 0.095)
+
+
+def depth_camera(ratio: float, distortion: tuple[float, ...] = ()) -> Intrinsics:
+    """A depth camera whose pixels are `ratio` of the colour camera's across, seeing somewhat more."""
+    width, height, f = round(736 / ratio), round(552 / ratio), 525.0 / ratio
+    return Intrinsics(width, height, f, f, width / 2 - 0.2, height / 2 - 0.5, distortion)
+
+
+@pytest.mark.parametrize(("pose", "bent"), [(Pose.exact(), False), (SIDE_BY_SIDE, True)])
+@pytest.mark.parametrize("ratio", [0.5, 0.75, 0.94, 1.0, 1.44, 2.0, 3.0])
+def test_things_keep_their_size(ratio: float, pose: Pose, bent: bool) -> None:
+    """Drawn as points they grew by 0.3 px a side at half the pixel, and shrank by 0.3 px at 1.44, 0.7 px at twice.
+
+    One ball's outline is uncertain by about 0.1 px a side, since pixels are whole; twenty of them by 0.02 px.
+    """
+    depth, color = depth_camera(ratio, BENT_DEPTH if bent else ()), BENT if bent else STRAIGHT
+    scene = balls(0)
+    mm = np.rint(scene.depth_m(depth, Pose.exact())[0] * 1000.0).astype(np.uint16)
+    true_m, whose = scene.depth_m(color, pose.inverse())
+    wall_m = replace(scene, centres_m=np.zeros((0, 3)), radii_m=np.zeros(0)).depth_m(color, pose.inverse())[0]
+    got_m = Registration(depth, color, pose).apply(mm) / 1000.0
+    assert abs(outline_moved_px(got_m, true_m, whose, wall_m)) < (0.08 if ratio <= 2 else 0.12)
+
+
+@settings(max_examples=8, deadline=None)
+@given(ratio=st.floats(0.5, 2.0), aside_m=st.floats(-0.06, 0.06), up_m=st.floats(-0.02, 0.02),
+       roll=st.floats(-0.05, 0.05), k1=st.floats(-0.2, 0.2), seed=st.integers(0, 10_000))  # fmt: skip
+def test_things_keep_their_size_with_any_cameras(
+    ratio: float, aside_m: float, up_m: float, roll: float, k1: float, seed: int
+) -> None:
+    depth, color = (
+        depth_camera(ratio, (0.5 * k1, -0.05, 0.0, 0.0)),
+        replace(STRAIGHT, distortion=(k1, -0.1, 0.001, 0.0)),
+    )
+    pose, scene = Pose(rotation_from_vector(np.array([0.0, 0.0, roll])), np.array([aside_m, up_m, 0.0])), balls(seed)
+    mm = np.rint(scene.depth_m(depth, Pose.exact())[0] * 1000.0).astype(np.uint16)
+    true_m, whose = scene.depth_m(color, pose.inverse())
+    got_m = Registration(depth, color, pose).apply(mm) / 1000.0
+    wall_m = np.full(true_m.shape, scene.wall_m)
+    assert abs(outline_moved_px(got_m, true_m, whose, wall_m)) < 0.2
+
+
+@pytest.mark.parametrize("roll_deg", [0.0, 3.0])
+@pytest.mark.parametrize("ratio", [0.5, 0.92, 1.44, 3.0])
+def test_slopes_and_turned_pictures_have_no_cracks(ratio: float, roll_deg: float) -> None:
+    roll = rotation_from_vector(np.radians([0.0, 0.0, roll_deg]))
+    pose, depth = Pose(SIDE_BY_SIDE.rotation @ roll, SIDE_BY_SIDE.translation_m), depth_camera(ratio, BENT_DEPTH)
+    scene, rng = balls(1), np.random.default_rng(1)
+    seen_m = scene.depth_m(depth, Pose.exact())[0]
+    mm = np.rint((seen_m + rng.normal(0.0, 0.0012, seen_m.shape)) * 1000.0).astype(np.uint16)
+    true_m, whose = scene.depth_m(BENT, pose.inverse())
+    got_m = Registration(depth, BENT, pose).apply(mm) / 1000.0
+    within = cv2.erode((whose >= 0).astype(np.uint8), np.ones((2 * round(ratio) + 3,) * 2)) > 0
+    open_or_wall = within & ((got_m == 0) | (got_m > true_m + 0.02))
+    assert within.sum() > 20_000
+    assert open_or_wall.sum() <= 2e-4 * within.sum()
+
+
+@settings(max_examples=25, deadline=None)
+@given(ratio=st.floats(0.5, 3.0), aside_m=st.floats(-0.05, 0.05), half_m=st.floats(0.05, 0.12))
+def test_nothing_bleeds_over_a_jump(ratio: float, aside_m: float, half_m: float) -> None:
+    """No depth between card and wall, and no card farther out than half a pixel of each camera.
+
+    An edge may also come to lie a quarter of half a reading farther out, as across a slope.
+    """
+    scene, pose = Scene(np.array([0.0, 0.0, 1.0]), 1.4, 0.9, half_m), Pose(np.eye(3), np.array([aside_m, 0.0, 0.0]))
+    color = Intrinsics(320, 240, 262.5, 262.5, 159.5, 119.5)
+    depth = Intrinsics(round(360 / ratio), round(280 / ratio), 262.5 / ratio, 262.5 / ratio, 180 / ratio, 140 / ratio)
+    got_m, _, card = registered(scene, depth, color, pose)
+    on_card, on_wall = np.abs(got_m - 0.9) < 1e-3, np.abs(got_m - 1.4) < 1e-3
+    assert (on_card | on_wall | (got_m == 0)).all()
+    reach_px = int(np.ceil(0.5 + 0.625 * ratio))
+    assert not on_card[cv2.dilate(card.astype(np.uint8), np.ones((2 * reach_px + 1,) * 2)) == 0].any()
+    assert on_card[cv2.erode(card.astype(np.uint8), np.ones((2 * reach_px + 1,) * 2)) > 0].all()
+
+
+@pytest.mark.parametrize("ratio", [0.5, 0.8, 1.0, 1.44, 2.0])
+def test_holes_keep_their_size(ratio: float) -> None:
+    color, depth = STRAIGHT, depth_camera(ratio)
+    v, u = np.mgrid[: depth.height, : depth.width]
+    pitch, radius = 60.0 / ratio, 20.3 / ratio
+    holes = ((u + 0.37) % pitch - pitch / 2) ** 2 + ((v + 0.11) % pitch - pitch / 2) ** 2 < radius**2
+    got = Registration(depth, color, Pose.exact()).apply(np.where(holes, 0, 1000).astype(np.uint16))
+    part, true_part = (got == 0).mean(), np.pi * 20.3**2 / 60.0**2
+    # 88 holes, some of them cut by the picture's edge
+    assert part == pytest.approx(true_part, rel=2 * 0.15 / 20.3 + 0.02)
+
+
+@pytest.mark.parametrize(("width", "height"), [(1, 1), (1, 40), (40, 1), (2, 2)])
+def test_the_smallest_pictures_are_survived(width: int, height: int) -> None:
+    tiny = Intrinsics(width, height, 50.0, 50.0, width / 2, height / 2)
+    for depth, color in ((tiny, KINECT_COLOR), (KINECT_DEPTH, tiny)):
+        got = Registration(depth, color, BESIDE).apply(np.full((depth.height, depth.width), 1000, np.uint16))
+        assert got.shape == (color.height, color.width)
 
 
 def test_no_depth_gives_no_depth() -> None:
