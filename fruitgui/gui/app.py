@@ -174,7 +174,9 @@ def run(workspace_folder: Path | None = None) -> int:
     qt = make_qt()
     application = Application(qt, workspace_folder)
     application.start()
-    signal.signal(signal.SIGINT, lambda *_: application.window.close())
+    for number in (signal.SIGINT, signal.SIGTERM):
+        # Python hears a signal wherever it is, in the middle of a painting too: the window closes after that.
+        signal.signal(number, lambda *_: QTimer.singleShot(0, application.window, application.window.close))
     waker = QTimer(interval=WAKE_MS)
     waker.timeout.connect(lambda: None)
     waker.start()

@@ -53,7 +53,7 @@ class Task(QObject, Generic[T]):
         self._told: tuple[float, str] = (0.0, "")
         self._shown: tuple[float, str] = (0.0, "")
         self._outcome: Callable[[], None] | None = None
-        self._over = False
+        self._over = self._abandoned = False
         self._thread = threading.Thread(target=self._work, name=f"task {name}", daemon=True)
         self._look = QTimer(self, interval=LOOK_MS, timerType=Qt.TimerType.CoarseTimer)
         self._look.timeout.connect(self._watch)
@@ -74,9 +74,16 @@ class Task(QObject, Generic[T]):
         return self._stop.is_set()
 
     def start(self) -> None:
-        """Begin."""
-        self._look.start()
-        self._thread.start()
+        """Begin, unless it was abandoned meanwhile."""
+        if not self._abandoned:
+            self._look.start()
+            self._thread.start()
+
+    def abandon(self) -> None:
+        """Ask the job to stop, and tell nobody of it any more: who would be told is about to go."""
+        self._abandoned = True
+        self._stop.set()
+        self._look.stop()
 
     def cancel(self) -> None:
         """Ask the job to stop; it ends at its next step."""
@@ -84,7 +91,8 @@ class Task(QObject, Generic[T]):
 
     def wait(self, timeout_s: float = END_S) -> bool:
         """Wait for the thread to end; tell whether it did."""
-        self._thread.join(timeout_s)
+        if self._thread.ident is not None:
+            self._thread.join(timeout_s)
         return not self._thread.is_alive()
 
     def _work(self) -> None:
@@ -139,6 +147,7 @@ class TaskRunner(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._tasks: list[Task[object]] = []
+        self._closed = False
 
     @property
     def running(self) -> tuple[Task[object], ...]:
@@ -148,6 +157,9 @@ class TaskRunner(QObject):
     def run(self, name: str, job: Job[T]) -> Task[T]:
         """Make a task and start it as soon as the caller has connected to it."""
         task: Task[T] = Task(name, job, self)
+        if self._closed:
+            task.abandon()
+            return task
         self._tasks.append(task)  # type: ignore[arg-type]  # held only to be ended
         task.ended.connect(self._forget_ended)
         QTimer.singleShot(0, task, task.start)
@@ -155,11 +167,13 @@ class TaskRunner(QObject):
         return task
 
     def close(self, timeout_s: float = END_S) -> bool:
-        """Stop all; tell whether all ended in time."""
-        tasks = [task for task in self._tasks if task.running]
+        """Stop all, for good: nothing begins after it, and nobody is told anything; tell whether all ended in time."""
+        self._closed = True
+        tasks, self._tasks = self._tasks, []
         for task in tasks:
-            task.cancel()
+            task.abandon()
         ended = [task.wait(timeout_s) for task in tasks]
+        self.changed.emit()
         return all(ended)
 
     def _forget_ended(self) -> None:

@@ -5,7 +5,7 @@ import threading
 from pytestqt.qtbot import QtBot
 
 from fruitgui.errors import FruitguiError, InputError
-from fruitgui.gui.tasks import TaskRunner
+from fruitgui.gui.tasks import LOOK_MS, TaskRunner
 from fruitgui.progress import Cancelled, Progress, stop_if
 
 
@@ -90,16 +90,26 @@ def test_an_error_that_nobody_foresaw_is_told_with_what_to_do(qtbot: QtBot) -> N
     assert got.args[0].remedy
 
 
-def test_closing_stops_all_jobs(qtbot: QtBot) -> None:
+def test_closing_stops_all_jobs_for_good(qtbot: QtBot) -> None:
     runner = TaskRunner()
-    began = threading.Event()
+    began, told, late = threading.Event(), [], []
 
-    def job(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001
+    def endless(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001
         began.set()
         while not cancelled():
             pass
 
-    task = runner.run("endless", job)
+    def never(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001
+        late.append("began")
+
+    running = runner.run("endless", endless)
     qtbot.waitUntil(began.is_set)
-    with qtbot.waitSignal(task.ended):
-        assert runner.close()
+    waiting = runner.run("has not begun", never)
+    assert runner.close()
+    after = runner.run("after the end", never)
+    for task in (running, waiting, after):
+        task.succeeded.connect(lambda _: told.append("succeeded"))
+        task.ended.connect(lambda: told.append("ended"))
+    assert runner.running == ()
+    qtbot.wait(3 * LOOK_MS)  # for nothing to happen
+    assert (told, late) == ([], [])
