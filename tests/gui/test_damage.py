@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
@@ -44,4 +45,6 @@ def test_a_damaged_station_is_set_aside_and_the_last_good_one_is_a_press_away(
         assert workspace.station.load().value is not None
     finally:
         application.window.close()
+        application.window.deleteLater()
+        QCoreApplication.sendPostedEvents(application.window, QEvent.Type.DeferredDelete)
         application.deleteLater()
