@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QElapsedTimer, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QElapsedTimer, Qt, QTimer
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QLineEdit
 from pytestqt.qtbot import QtBot
 
@@ -359,7 +359,7 @@ def _walk(qtbot: QtBot, page: LotsPage) -> None:
     bar = panel.table.view.verticalScrollBar()
     for share in (10, 3, 7, 1, 9, 5):
         bar.setValue(bar.maximum() * share // 10)
-        qtbot.wait(1)
+        QCoreApplication.processEvents()
     _settled(qtbot, page)
     for column in (Column.VOLUME, Column.SURE, Column.KIND):
         panel.table.view.horizontalHeader().sectionClicked.emit(COLUMNS.index(column))

@@ -43,7 +43,7 @@ def _error(folder: Path) -> FruitguiError:
     try:
         open_store(folder).close()
     except WorldError as error:
-        place = str(Path("/home/packing/line_2"))
+        place = str(Path("/data/packing/line_2"))
         return WorldError(error.code, error.what.replace(str(folder), place), error.remedy, file=error.file)
     raise AssertionError("a damaged store was opened")
 

@@ -31,7 +31,7 @@ def _nothing(stage: Stage, chosen: str) -> Iterator[QWidget]:
         if chosen == SIMULATED:
             next(row for row in chooser.rows if row.offer.key == SIMULATED).click()
         else:
-            chooser.take_file(Path("/home/packing/morning.mcap"))
+            chooser.take_file(Path("/data/packing/morning.mcap"))
         yield on.window
 
 
