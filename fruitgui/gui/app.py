@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import sys
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, QTimer
@@ -174,13 +175,17 @@ def run(workspace_folder: Path | None = None) -> int:
     qt = make_qt()
     application = Application(qt, workspace_folder)
     application.start()
-    for number in (signal.SIGINT, signal.SIGTERM):
-        # Python hears a signal wherever it is, in the middle of a painting too: the window closes after that.
-        signal.signal(number, lambda *_: QTimer.singleShot(0, application.window, application.window.close))
     waker = QTimer(interval=WAKE_MS)
     waker.timeout.connect(lambda: None)
     waker.start()
-    return qt.exec()
+    # Python hears a signal wherever it is, in the middle of a painting too: the window closes after that.
+    close = partial(QTimer.singleShot, 0, application.window, application.window.close)
+    before = {number: signal.signal(number, lambda *_: close()) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        return qt.exec()
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 def make_qt() -> QApplication:

@@ -180,12 +180,12 @@ class Session(QObject):
             self.states_changed.emit()
 
     def lot_words(self) -> LotWords:
-        """Return what to propose for the next lot, by the lots that were run."""
-        try:
-            return lot_words([line.lot for line in self.store.lots.find(LotQuery(count=LOTS_LOOKED_AT)).lots])
-        except FruitguiError as error:
-            self.messages.error(error)
-            return lot_words(())
+        """Return what to propose for the next lot, by the lots that were run; not to be asked on the window's thread.
+
+        Raises:
+            WorldError: the records cannot be read.
+        """
+        return lot_words([line.lot for line in self.store.lots.find(LotQuery(count=LOTS_LOOKED_AT)).lots])
 
     def start_lot(self, plan: LotPlan) -> None:
         """Start the line on the connected sensors, and a lot."""

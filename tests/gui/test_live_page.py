@@ -45,6 +45,7 @@ def ready(qtbot: QtBot, session: Session, page: LivePage, recorded: LineRecordin
 
 def _start(qtbot: QtBot, session: Session, page: LivePage, name: str = "1184") -> None:
     page.start.trigger()
+    qtbot.waitUntil(lambda: page.findChild(LotDialog) is not None)
     dialog = page.findChild(LotDialog)
     assert isinstance(dialog, LotDialog)
     dialog.name.setText(name)

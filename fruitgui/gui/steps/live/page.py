@@ -8,7 +8,9 @@ from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
+from fruitgui.gui.lot_words import LotWords
 from fruitgui.gui.numbers import count_text
+from fruitgui.gui.queries import Queries
 from fruitgui.gui.running import Running
 from fruitgui.gui.session import Session
 from fruitgui.gui.step_words import reason_text
@@ -41,6 +43,8 @@ class LivePage(StepPage):
         self._turn = self._part = 0
         self._parts = (self._draw_belt, self._draw_counts, self._draw_belt, self._draw_last, self._draw_histogram)
         self._dialog: LotDialog | None = None
+        self._queries = Queries(self)
+        self._queries.failed.connect(session.messages.error)
         self.body = LiveLayout(theme, self)
         self.empty = EmptyPlace(theme, "live", parent=self)
         self._make_actions()
@@ -208,8 +212,11 @@ class LivePage(StepPage):
         self.body.histogram.show_bars(presenter.bars(histogram, self._marks), low, high)
 
     def _ask(self) -> None:
-        """Ask for the lot's name."""
-        words = self._session.lot_words()
+        """Ask for the lot's name, once what to propose is read."""
+        if self._dialog is None:
+            self._queries.ask("words", self._session.lot_words, self._open_dialog)
+
+    def _open_dialog(self, words: LotWords) -> None:
         self._dialog = LotDialog(words.name, words.growers, words.recipes, self)
         self._dialog.finished.connect(self._asked)
         self._dialog.open()
