@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import os
-import shutil
-import subprocess
-import sys
 from pathlib import Path
 
-import pytest
+from tests.gui.xvfb import run_on_screen
 
 SCRIPT = """
 import sys
@@ -49,16 +45,4 @@ view.close()
 
 
 def test_points_are_seen_and_the_slider_fades_between_sensors(tmp_path: Path) -> None:
-    xvfb = shutil.which("xvfb-run")
-    if xvfb is None:
-        pytest.skip("no Xvfb here")
-    script = tmp_path / "look.py"
-    script.write_text(SCRIPT)
-    environment = {**os.environ, "QT_QPA_PLATFORM": "xcb", "LIBGL_ALWAYS_SOFTWARE": "1"}
-    done = subprocess.run(
-        [xvfb, "-a", "-s", "-screen 0 800x600x24", sys.executable, str(script)],
-        capture_output=True, text=True, env=environment, check=False, timeout=120,
-    )  # fmt: skip
-    if done.returncode == 77:
-        pytest.skip("no OpenGL here")
-    assert done.returncode == 0, done.stderr[-2000:]
+    run_on_screen(SCRIPT, tmp_path)
