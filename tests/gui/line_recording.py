@@ -14,6 +14,7 @@ from fruitgui.station.record_job import record_simulation
 from fruitgui.station.sources import RecordedSource
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.workflow_file import Marks
+from fruitgui.station.workspace import Workspace
 
 FRUIT = 6
 
@@ -31,8 +32,18 @@ class LineRecording:
         source = RecordedSource(self.path, speed=0.0)
         session.save_connection(connection_to(source.value(), source.connect().sensors))
         session.save_station(self.station)
-        session.save_marks(Marks(belt_calibration=calibration_fingerprint(self.station)))
+        session.save_marks(self._marks())
         session.start_sensors()
+
+    def lay_out(self, workspace: Workspace) -> None:
+        """Write the files of a workspace in which every step before the live screen is done."""
+        source = RecordedSource(self.path, speed=0.0)
+        workspace.connection.save(connection_to(source.value(), source.connect().sensors))
+        workspace.station.save(self.station)
+        workspace.marks.save(self._marks())
+
+    def _marks(self) -> Marks:
+        return Marks(belt_calibration=calibration_fingerprint(self.station))
 
 
 def record_line(folder: Path) -> LineRecording:
