@@ -82,6 +82,7 @@ class Frame:
         color: (height, width, 3) uint8, RGB.
         depth_mm: (height, width) uint16, registered to the colour image, 0 = no reading.
         intrinsics: of the colour camera, which the depth shares.
+        damaged: a part was lost on its way and shows something older; a feed counts it and hands it on to nobody.
     """
 
     sensor: str
@@ -90,6 +91,7 @@ class Frame:
     color: U8
     depth_mm: U16
     intrinsics: Intrinsics
+    damaged: bool = False
 
     def points(self) -> F32:
         """Return every pixel's point in the optical frame, metres: (height, width, 3), zeros where no reading."""

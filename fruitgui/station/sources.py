@@ -1,13 +1,16 @@
-"""The one list of what can be connected: simulated rigs, recordings, and, make by make, real devices."""
+"""The one list of what can be connected: real devices, simulated rigs, recordings."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
 from fruitgui.errors import InputError
+from fruitgui.sensors.drivers import Driver, known_drivers
+from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.player import AtSpeed, FlatOut, recorded_sensors
 from fruitgui.sensors.sensor import Sensor
 from fruitgui.simulation.ahead import SimulatedRig
@@ -110,6 +113,63 @@ class RecordedSource:
         return Connected(recorded_sensors(self.path, pace, looped=self.looped))
 
 
+@dataclass(frozen=True, slots=True)
+class DeviceId:
+    """A device, plugged in or not."""
+
+    make: str
+    serial: str
+
+
+Drivers = Callable[[], Sequence[Driver]]
+
+
+@dataclass(frozen=True, slots=True)
+class DevicesSource:
+    """Real sensors, whether plugged in now or not.
+
+    Attributes:
+        devices: at least one, in order.
+        drivers: gives the drivers that are asked for them.
+    """
+
+    devices: tuple[DeviceId, ...]
+    drivers: Drivers = field(default=known_drivers, compare=False, repr=False)
+
+    @property
+    def kind(self) -> str:
+        """`devices`."""
+        return "devices"
+
+    @property
+    def name(self) -> str:
+        """How many there are of each make, for example `2 kinect`."""
+        return ", ".join(f"{count} {make}" for make, count in Counter(one.make for one in self.devices).items())
+
+    def value(self) -> dict[str, Any]:
+        """Return it as JSON."""
+        return {"kind": self.kind, "devices": [asdict(device) for device in self.devices]}
+
+    def connect(self) -> Connected:
+        """Return a sensor for each device, named by its make and counted from 1; one that is away can come later.
+
+        Raises:
+            InputError: a make has no driver here.
+        """
+        drivers = {driver.make: driver for driver in self.drivers()}
+        count: Counter[str] = Counter()
+        sensors: list[Sensor] = []
+        for device in self.devices:
+            if device.make not in drivers:
+                what = f"There is no driver for {device.make[:80]!r}; there are {', '.join(drivers) or 'none'}."
+                raise InputError("bad_source", what, REMEDY)
+            count[device.make] += 1
+            sensors.append(
+                NamedSensor(drivers[device.make].sensor(device.serial), f"{device.make}_{count[device.make]}")
+            )
+        return Connected(sensors)
+
+
 def is_finite(value: Mapping[str, Any]) -> bool:
     """Tell whether the source of a value comes to an end and can be played again from its beginning."""
     return value.get("kind") == "recording" and not value.get("looped")
@@ -152,6 +212,25 @@ def _read_recorded(value: Mapping[str, Any]) -> Source:
     return RecordedSource(Path(value["path"]), float(value["speed"]), bool(value["looped"]))
 
 
+def devices_of(drivers: Drivers) -> Make:
+    """Return the make of devices of these drivers: all that are plugged in are one source."""
+
+    def find() -> list[Source]:
+        found = tuple(DeviceId(driver.make, one.serial) for driver in drivers() for one in driver.devices())
+        return [DevicesSource(found, drivers)] if found else []
+
+    def read(value: Mapping[str, Any]) -> Source:
+        devices = tuple(DeviceId(str(one["make"]), str(one["serial"])) for one in value["devices"])
+        if not devices:
+            raise ValueError("it names no device")
+        if len(set(devices)) != len(devices):
+            raise ValueError("it names a device twice")
+        return DevicesSource(devices, drivers)
+
+    return Make("devices", find, read)
+
+
+DEVICES = devices_of(known_drivers)
 SIMULATED = Make("simulated", lambda: [SimulatedSource(one, name) for name, one in PRESETS.items()], _read_simulated)
 RECORDINGS = Make("recording", list, _read_recorded)
 
@@ -164,7 +243,7 @@ class Sources:
         makes: in the order in which they are listed.
     """
 
-    makes: Sequence[Make] = field(default=(SIMULATED, RECORDINGS))
+    makes: Sequence[Make] = field(default=(DEVICES, SIMULATED, RECORDINGS))
 
     def found(self) -> list[Source]:
         """Return everything that can be connected now."""

@@ -20,12 +20,16 @@
         <translation>Sensores y fruta que no existen, para aprender y probar</translation>
     </message>
     <message>
+        <source>Sensors that are plugged in</source>
+        <translation>Sensores enchufados</translation>
+    </message>
+    <message>
         <source>Devices that are plugged in appear here by themselves.</source>
         <translation>Los dispositivos que se enchufan aparecen aquí por sí solos.</translation>
     </message>
     <message>
-        <source>No device was found. This version works with recordings (MCAP of ROS 2, bag of ROS 1) and with the simulated rig. As soon as a driver for your sensors is installed, they appear here by themselves.</source>
-        <translation>No se encontró ningún dispositivo. Esta versión trabaja con grabaciones (MCAP de ROS 2, bag de ROS 1) y con el equipo simulado. Apenas haya un controlador instalado para sus sensores, aparecerán aquí por sí solos.</translation>
+        <source>No device was found. Plug your sensors in and they appear here by themselves. Recordings (MCAP of ROS 2, bag of ROS 1) and the simulated rig work without any.</source>
+        <translation>No se encontró ningún dispositivo. Enchufe sus sensores y aparecerán aquí por sí solos. Las grabaciones (MCAP de ROS 2, bag de ROS 1) y el equipo simulado funcionan sin ninguno.</translation>
     </message>
     <message>
         <source>One sensor</source>
@@ -369,6 +373,10 @@
     <message>
         <source>Simulated Kinects over a simulated belt, with the noise and the errors of real ones. Everything works as with real sensors, and the truth is known.</source>
         <translation>Kinects simulados sobre una cinta simulada, con el ruido y los errores de los reales. Todo funciona como con sensores reales, y la verdad se conoce.</translation>
+    </message>
+    <message>
+        <source>These sensors are plugged in. One that is unplugged comes back by itself when it returns.</source>
+        <translation>Estos sensores están enchufados. Uno que se desenchufe vuelve por sí solo cuando regresa.</translation>
     </message>
     <message>
         <source>A device that is plugged in.</source>

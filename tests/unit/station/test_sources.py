@@ -8,10 +8,22 @@ from typing import Any
 
 import pytest
 
-from fruitgui.errors import InputError
+from fruitgui.errors import InputError, WorldError
+from fruitgui.sensors.drivers import PluggedDevice
+from fruitgui.sensors.sensor import Sensor
 from fruitgui.simulation.supply import LineOptions
 from fruitgui.station.connection import ConnectedSensor, Connection, connection_to, named_sensors
-from fruitgui.station.sources import PRESETS, Make, RecordedSource, SimulatedSource, Source, Sources
+from fruitgui.station.sources import (
+    PRESETS,
+    DeviceId,
+    DevicesSource,
+    Make,
+    RecordedSource,
+    SimulatedSource,
+    Source,
+    Sources,
+    devices_of,
+)
 from tests.unit.sensors.scripted import ScriptedSensor
 
 
@@ -83,3 +95,53 @@ def test_sensors_come_back_under_their_names_in_order_whatever_their_ids() -> No
     assert [one.info.sensor for one in named] == ["left", "right"]
     assert named[0].info.serial == "S-a"
     assert chosen.reference_name == "right"
+
+
+class PluggedIn:
+    """A driver of scripted sensors that are plugged in as a test says."""
+
+    make = "kinect"
+
+    def __init__(self, *serials: str) -> None:
+        self.serials = list(serials)
+
+    def problem(self) -> WorldError | None:
+        return None
+
+    def devices(self) -> list[PluggedDevice]:
+        return [PluggedDevice(self.make, "Kinect 1414", serial) for serial in self.serials]
+
+    def sensor(self, serial: str) -> Sensor:
+        return ScriptedSensor(serial)
+
+
+def test_all_devices_that_are_plugged_in_are_one_source() -> None:
+    driver = PluggedIn()
+    sources = Sources((devices_of(lambda: [driver]),))
+    assert sources.found() == []
+    driver.serials += ["A1", "B2"]
+    (source,) = sources.found()
+    assert source.name == "2 kinect"
+    assert source.value() == {
+        "kind": "devices",
+        "devices": [{"make": "kinect", "serial": "A1"}, {"make": "kinect", "serial": "B2"}],
+    }
+    assert sources.source_of(json.loads(json.dumps(source.value()))) == source
+
+
+def test_a_device_that_is_away_still_has_its_sensor() -> None:
+    source = DevicesSource((DeviceId("kinect", "A1"), DeviceId("kinect", "B2")), lambda: [PluggedIn("B2")])
+    infos = [sensor.info for sensor in source.connect().sensors]
+    assert [(info.sensor, info.serial) for info in infos] == [("kinect_1", "S-A1"), ("kinect_2", "S-B2")]
+
+
+def test_a_device_of_a_make_without_a_driver_is_refused() -> None:
+    source = Sources().source_of({"kind": "devices", "devices": [{"make": "of tomorrow", "serial": "1"}]})
+    with pytest.raises(InputError, match="of tomorrow"):
+        source.connect()
+
+
+@pytest.mark.parametrize("devices", [[], None, [{}], ["A1"], [{"make": "kinect", "serial": "A1"}] * 2])
+def test_devices_that_cannot_be_are_refused(devices: object) -> None:
+    with pytest.raises(InputError):
+        Sources().source_of({"kind": "devices", "devices": devices})

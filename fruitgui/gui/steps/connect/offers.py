@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication
 
-from fruitgui.station.sources import SimulatedSource, Source
+from fruitgui.station.sources import DevicesSource, SimulatedSource, Source
 
 translate = QCoreApplication.translate
 
+MAKES = {"kinect": "Kinect", "realsense": "RealSense", "orbbec": "Orbbec", "oak": "OAK"}
+"""What a make calls itself."""
+
+DEVICES = "devices"
 RECORDING = "recording"
 SIMULATED = "simulated"
 
@@ -35,7 +40,7 @@ def offers(found: Sequence[Source]) -> list[Offer]:
     """Return devices first, then a recording, then the simulated rig."""
     simulated = tuple(one for one in found if one.kind == SIMULATED)
     devices = [one for one in found if one.kind not in (SIMULATED, RECORDING)]
-    listed = [Offer(f"{one.kind} {one.name}", "camera", one.name, one.kind, (one,)) for one in devices]
+    listed = [_device_offer(one) for one in devices]
     listed.append(
         Offer(
             RECORDING,
@@ -51,14 +56,28 @@ def offers(found: Sequence[Source]) -> list[Offer]:
     return listed
 
 
+def _device_offer(source: Source) -> Offer:
+    if not isinstance(source, DevicesSource):
+        return Offer(f"{source.kind} {source.name}", "camera", source.name, source.kind, (source,))
+    makes = Counter(MAKES.get(one.make, one.make) for one in source.devices)
+    name = ", ".join(make if number == 1 else f"{number} × {make}" for make, number in makes.items())
+    return Offer(DEVICES, "camera", name, translate("Connect", "Sensors that are plugged in"), (source,))
+
+
+def device_lines(offer: Offer) -> list[str]:
+    """Return make and serial of each device of an offer."""
+    devices = (one for source in offer.sources if isinstance(source, DevicesSource) for one in source.devices)
+    return [f"{MAKES.get(one.make, one.make)}  {one.serial}" for one in devices]
+
+
 def supported_text(found: Sequence[Source]) -> str:
     """Return what is supported now: it says honestly where no device can be found."""
     if any(one.kind not in (SIMULATED, RECORDING) for one in found):
         return translate("Connect", "Devices that are plugged in appear here by themselves.")
     return translate(
         "Connect",
-        "No device was found. This version works with recordings (MCAP of ROS 2, bag of ROS 1) and with the simulated "
-        "rig. As soon as a driver for your sensors is installed, they appear here by themselves.",
+        "No device was found. Plug your sensors in and they appear here by themselves. Recordings (MCAP of ROS 2, bag "
+        "of ROS 1) and the simulated rig work without any.",
     )
 
 

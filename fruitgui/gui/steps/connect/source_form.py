@@ -8,7 +8,15 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushButton, QWidget
 
-from fruitgui.gui.steps.connect.offers import RECORDING, SIMULATED, Offer, as_simulated, preset_name
+from fruitgui.gui.steps.connect.offers import (
+    DEVICES,
+    RECORDING,
+    SIMULATED,
+    Offer,
+    as_simulated,
+    device_lines,
+    preset_name,
+)
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, TOUCH
@@ -167,4 +175,7 @@ class SourceForm(Card):
                 "Simulated Kinects over a simulated belt, with the noise and the errors of real ones. Everything works "
                 "as with real sensors, and the truth is known."
             )
+        if key == DEVICES and self._offer is not None:
+            words = self.tr("These sensors are plugged in. One that is unplugged comes back by itself when it returns.")
+            return "\n\n".join([words, *device_lines(self._offer)])
         return self.tr("A device that is plugged in.")
