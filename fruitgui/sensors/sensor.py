@@ -3,10 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 from typing import Protocol
 
 from fruitgui.errors import WorldError
 from fruitgui.frame import Frame, Intrinsics
+
+
+class Projector(StrEnum):
+    """What a sensor's own light does to other sensors that see the same place.
+
+    Attributes:
+        HARMLESS: it has none, or one that others do not mind.
+        SWITCHED: it blinds others and can be switched: such sensors take turns.
+        FIXED: it blinds others and cannot be switched.
+    """
+
+    HARMLESS = "harmless"
+    SWITCHED = "switched"
+    FIXED = "fixed"
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +33,7 @@ class SensorInfo:
         make, model, serial: of the device; empty where unknown.
         intrinsics: of the colour camera, to which depth is registered.
         rate_hz: nominal frame rate, when not taking turns.
+        projector: whether it has to take turns with others.
     """
 
     sensor: str
@@ -26,6 +42,7 @@ class SensorInfo:
     serial: str
     intrinsics: Intrinsics
     rate_hz: float
+    projector: Projector = Projector.HARMLESS
 
 
 class SensorTimeoutError(WorldError):
@@ -50,7 +67,9 @@ class Sensor(Protocol):
     """One RGB-D camera. Not thread-safe: one owner calls it.
 
     The order is open, start, read …, stop, close; stop and close may be called
-    at any time and any number of times.
+    at any time and any number of times. A projector that is switched is told
+    what to be between open and start as well as later; untold, `start` turns
+    it on. After stop it is dark.
     """
 
     @property
@@ -72,7 +91,7 @@ class Sensor(Protocol):
         """
 
     def projector(self, on: bool) -> None:
-        """Switch the projector, where the device has one that can be switched."""
+        """Switch the projector, where it can be switched; returns once it is so. While it is dark no frames come."""
 
     def stop(self) -> None:
         """End capturing."""
