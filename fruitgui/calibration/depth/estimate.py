@@ -1,0 +1,187 @@
+"""All measurements of one device put into one least squares problem: terms, boards, belt and balls together.
+
+Known of the device is what is usual of its make, as a prior; every board may bow a little, and every typed length is as
+sure as it was typed. What the readings do not decide stays where the prior has it, and its uncertainty shows that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from fruitgui.calibration.depth.measured import BallOnBelt, RaisedBoard, SeenBall, SeenFlat
+from fruitgui.calibration.depth.seeing import sphere_depth_m
+from fruitgui.frame import F64
+from fruitgui.sensors.depth_correction import DepthCorrection
+
+USUAL = DepthCorrection()
+PRIOR_STD = (0.02, 0.02, 0.03, 0.05)
+"""Standard deviations of scale, offset (m), radial terms among devices as sold: they differ by centimetres at range
+(Boehm 2014; Clarkson et al. 2013), and bend planes by as much in the picture's corners."""
+
+BOW_STD_M = 0.0007
+"""How far a belt between its rollers or a carton's lid may bow over its length, and nobody sees it."""
+
+PLANE_STD_M = 0.0002
+"""What lens and registration shift a plane by, and no residual shows (see `surface.BENT_M`)."""
+
+RESTING_STD_M = 0.0005
+"""A ball dents a belt, or lies on a crumb."""
+
+TERM_COUNT, FLAT_COUNT, BALL_COUNT = 4, 6, 4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Problem:
+    """What is to be explained.
+
+    Attributes:
+        belt: as read. boards, balls: as read, each with what was typed of it.
+        distance_m, distance_std_m: typed, of the belt straight ahead; None where it was not.
+        free: which of the four terms are fitted.
+    """
+
+    belt: SeenFlat
+    boards: Sequence[tuple[SeenFlat, RaisedBoard]]
+    balls: Sequence[tuple[SeenBall, BallOnBelt]]
+    distance_m: float | None
+    distance_std_m: float
+    free: tuple[bool, ...] = (True, True, True, True)
+
+    @property
+    def flats(self) -> list[SeenFlat]:
+        """The belt, then the boards."""
+        return [self.belt, *(seen for seen, _ in self.boards)]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Solution:
+    """What explains it best.
+
+    Attributes:
+        terms: (4,) of the correction. covariance: (4, 4); of terms that were not free, as of the prior.
+        bows_m: largest bow of each flat thing.
+        typed: what was typed and how far, in its standard deviations, it is from the rest: (what, number, deviations).
+    """
+
+    terms: F64
+    covariance: F64
+    bows_m: tuple[float, ...]
+    typed: tuple[tuple[str, int, float], ...]
+
+    @property
+    def correction(self) -> DepthCorrection:
+        """The terms as a correction."""
+        scale, offset_m, radial_2, radial_4 = (float(one) for one in self.terms)
+        return DepthCorrection(scale, offset_m, radial_2, radial_4)
+
+
+def solve(problem: Problem) -> Solution:
+    """Return the best explanation (Gauss–Newton, all unknowns in units of what is usual)."""
+    from scipy.optimize import least_squares
+
+    unknowns = _Unknowns(problem)
+    found = least_squares(unknowns.residuals, np.zeros(unknowns.count), method="lm", xtol=1e-12, ftol=1e-12)
+    inverse = np.linalg.inv(found.jac.T @ found.jac)
+    free = np.array(problem.free)
+    prior = np.array(PRIOR_STD)
+    covariance = np.diag(prior**2)
+    scaled = inverse[:TERM_COUNT, :TERM_COUNT] * np.outer(prior, prior)
+    covariance[np.ix_(free, free)] = scaled[np.ix_(free, free)]
+    return Solution(unknowns.terms(found.x), covariance, unknowns.bows_m(found.x), unknowns.typed(found.x))
+
+
+class _Unknowns:
+    """What is looked for, as one vector of numbers about 1, and how it explains the readings."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._problem = problem
+        self._first_ball = TERM_COUNT + FLAT_COUNT * len(problem.flats)
+        self.count = self._first_ball + BALL_COUNT * len(problem.balls)
+        self._bend = [_bend(flat) for flat in problem.flats]
+        self._plane_units = [float(np.linalg.norm(flat.coefficients)) * 0.01 for flat in problem.flats]
+
+    def terms(self, x: F64) -> F64:
+        """Return the four terms."""
+        return np.asarray([1.0, 0.0, 0.0, 0.0] + x[:TERM_COUNT] * PRIOR_STD * np.array(self._problem.free))
+
+    def bows_m(self, x: F64) -> tuple[float, ...]:
+        """Return the largest bow of each flat thing."""
+        return tuple(
+            float(np.abs(self._bend[number] @ self._flat(x, number)[1]).max()) for number in range(len(self._bend))
+        )
+
+    def typed(self, x: F64) -> tuple[tuple[str, int, float], ...]:
+        """Return how far each typed length is from the rest, in its standard deviations."""
+        return tuple(self._typed(x))
+
+    def residuals(self, x: F64) -> F64:
+        """Return everything that is to be small, each in its standard deviations."""
+        terms = self.terms(x)
+        parts: list[F64] = [x[:TERM_COUNT]]
+        for number, flat in enumerate(self._problem.flats):
+            plane, bow = self._flat(x, number)
+            z_m = 1.0 / (flat.rays @ plane) + self._bend[number] @ bow
+            parts += [(_read(terms, flat.rays, z_m) - flat.inverse) / flat.std, bow / BOW_STD_M]
+        for number, (ball, _) in enumerate(self._problem.balls):
+            centre, radius_m = self._ball(x, number)
+            z_m = sphere_depth_m(ball.rays, centre, radius_m)
+            parts.append((_read(terms, ball.rays, z_m) - ball.inverse) / ball.std)
+        parts.append(np.array([off for _, _, off in self._typed(x)]))
+        return np.concatenate(parts)
+
+    def _flat(self, x: F64, number: int) -> tuple[F64, F64]:
+        """Return the a of a plane, 1/z = a·(x, y, 1), and the factors of its bow, m."""
+        part = x[TERM_COUNT + FLAT_COUNT * number :][:FLAT_COUNT]
+        plane = self._problem.flats[number].coefficients + part[:3] * self._plane_units[number]
+        return plane, part[3:] * BOW_STD_M
+
+    def _ball(self, x: F64, number: int) -> tuple[F64, float]:
+        part = x[self._first_ball + BALL_COUNT * number :][:BALL_COUNT]
+        seen, told = self._problem.balls[number]
+        return seen.centre_m + part[:3] * 0.01, told.diameter_m / 2 + part[3] * told.diameter_std_m / 2
+
+    def _typed(self, x: F64) -> list[tuple[str, int, float]]:
+        problem = self._problem
+        belt, _ = self._flat(x, 0)
+        offs = []
+        if problem.distance_m is not None:
+            offs.append(("distance", 0, float((1.0 / belt[2] - problem.distance_m) / problem.distance_std_m)))
+        for number, (seen, told) in enumerate(problem.boards, start=1):
+            height_m = _rise_m(belt, self._flat(x, number)[0], seen.rays.mean(axis=0))
+            std_m = float(np.hypot(told.height_std_m, 2**0.5 * PLANE_STD_M))
+            offs.append(("height", number - 1, (height_m - told.height_m) / std_m))
+        for number, (_, told_ball) in enumerate(problem.balls):
+            centre, radius_m = self._ball(x, number)
+            rests = (_over_m(belt, centre) - radius_m) / float(np.hypot(RESTING_STD_M, PLANE_STD_M))
+            off = (2.0 * radius_m - told_ball.diameter_m) / told_ball.diameter_std_m
+            offs += [("ball", number, off), ("ball", number, rests)]
+        return offs
+
+
+def _read(terms: F64, rays: F64, z_m: F64) -> F64:
+    """Return the inverse depth that the device reads at true depths: the correction turned round."""
+    scale, offset_m, radial_2, radial_4 = terms
+    r2 = rays[:, 0] ** 2 + rays[:, 1] ** 2
+    return np.asarray((scale + radial_2 * r2 + radial_4 * r2**2) / (z_m - offset_m))
+
+
+def _over_m(plane: F64, point_m: F64) -> float:
+    """Return the height of a point over the plane 1/z = a·(x, y, 1), on the sensor's side."""
+    return float((1.0 - plane @ point_m) / np.linalg.norm(plane))
+
+
+def _rise_m(belt: F64, board: F64, ray: F64) -> float:
+    """Return how far a board lies above the belt where a ray meets it."""
+    return _over_m(belt, ray / (board @ ray))
+
+
+def _bend(flat: SeenFlat) -> F64:
+    """Return the shapes (N, 3) in which a flat thing may bow: squares across its extent, none of them a plane."""
+    middle, reach = flat.rays.mean(axis=0), np.ptp(flat.rays, axis=0).max() / 2.0
+    x, y = ((flat.rays - middle) / reach)[:, :2].T
+    shapes = np.stack([x * x, y * y, x * y], axis=1)
+    flatness = np.stack([x, y, np.ones_like(x)], axis=1)
+    return np.asarray(shapes - flatness @ np.linalg.lstsq(flatness, shapes, rcond=None)[0])

@@ -1,0 +1,107 @@
+"""Depth of many devices, each wrong in its own way, before and after correcting it; figures are printed (-s)."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from fruitgui.calibration.depth.correct import correct_depth
+from fruitgui.calibration.depth.measured import BallOnBelt, BareBelt, DepthFit, Measurements, RaisedBoard
+from fruitgui.calibration.still import Still, average
+from fruitgui.frame import F64
+from fruitgui.sensors.depth_correction import DepthCorrection
+from fruitgui.simulation.depth_bench import depth_bench
+from fruitgui.simulation.kinect import DepthModel
+
+pytestmark = pytest.mark.accuracy
+
+DEVICES = 8
+CORNER_R2 = (320**2 + 240**2) / 580**2
+BALL_M = 0.20
+TYPED_STD = {"distance": 0.004, "height": 0.001, "ball": 0.0005}
+
+
+@dataclass(frozen=True)
+class _Outcome:
+    before_m: F64
+    after_m: F64
+    std_m: float
+    ball_before_m: float
+    ball_after_m: float
+
+
+def _device(number: int) -> DepthModel:
+    rng = np.random.default_rng([number, 77])
+    return DepthModel(
+        scale_error=float(rng.normal(0, 0.012)),
+        offset_m=float(rng.normal(0, 0.012)),
+        radial_error=float(rng.uniform(-0.012, 0.012)),
+        fattening_px=float(rng.uniform(0.3, 2.0)),
+        sigma_px=0.0609 * float(rng.uniform(0.9, 1.3)),
+    )
+
+
+def _errors_m(model: DepthModel, correction: DepthCorrection, belt_m: float) -> F64:
+    """Return how far depths are off from the belt up to 15 cm above it, and from the middle to the picture's edge."""
+    r2, z_m = np.meshgrid(np.linspace(0.0, 0.37, 5), belt_m - np.linspace(0.0, 0.15, 4))
+    read = z_m * (1 + model.scale_error + model.radial_error * r2 / CORNER_R2) + model.offset_m
+    scales = correction.scale + correction.radial_2 * r2 + correction.radial_4 * r2**2
+    return scales * read + correction.offset_m - z_m
+
+
+@cache
+def _measured(number: int) -> tuple[Measurements, float]:
+    """Return what is measured of a device, every typed length off by a draw, and the true distance of the belt."""
+    rng, model = np.random.default_rng([number, 78]), _device(number)
+    typed = {what: float(rng.normal(0, std)) for what, std in TYPED_STD.items()}
+
+    def still(seed: int, board_height_m: float = 0.0, ball_m: float = 0.0) -> Still:
+        scene = depth_bench(
+            10 * number + seed, number, model, board_height_m=board_height_m, ball_m=ball_m, captures=8,
+            sensor_height_m=(0.7, 1.5),
+        )  # fmt: skip
+        return average(list(scene.frames()))
+
+    plane = depth_bench(0, number, model, sensor_height_m=(0.7, 1.5)).rig().mounts["kinect_1"].surface.plane
+    belt_m = -plane.offset_m / float(plane.normal[2])
+    boards = tuple(RaisedBoard(still(1 + n, h), h + typed["height"]) for n, h in enumerate((0.15, 0.30)))
+    ball = BallOnBelt(still(5, ball_m=BALL_M), BALL_M + typed["ball"])
+    return Measurements(BareBelt(still(0), belt_m + typed["distance"]), boards, (ball,)), belt_m
+
+
+def _outcome(number: int, *, taped: bool) -> _Outcome:
+    measured, belt_m = _measured(number)
+    model = _device(number)
+    made = correct_depth(measured if taped else replace(measured, belt=BareBelt(measured.belt.still)))
+    assert isinstance(made, DepthFit), made
+    told = next(one for one in made.figures if one.what == "ball")
+    return _Outcome(
+        _errors_m(model, DepthCorrection(), belt_m), _errors_m(model, made.correction, belt_m), made.depth_std_m,
+        told.before_m - BALL_M, told.after_m - BALL_M,
+    )  # fmt: skip
+
+
+def _rms_mm(values: F64) -> float:
+    return 1e3 * float(np.sqrt(np.mean(np.square(values))))
+
+
+@pytest.mark.parametrize(("taped", "most_mm"), [(True, 3.0), (False, 7.0)])
+def test_depth_of_many_devices_is_put_right(taped: bool, most_mm: float) -> None:
+    outcomes = [_outcome(number, taped=taped) for number in range(DEVICES)]
+    before, after = (np.stack([getattr(one, name) for one in outcomes]) for name in ("before_m", "after_m"))
+    balls = [np.array([getattr(one, name) for one in outcomes]) for name in ("ball_before_m", "ball_after_m")]
+    judged = np.array([one.after_m[0, 0] / one.std_m for one in outcomes])
+    sys.stdout.write(
+        f"\n{DEVICES} devices, {'with' if taped else 'without'} a tape: depth {_rms_mm(before):.1f} → "
+        f"{_rms_mm(after):.1f} mm (worst {1e3 * np.abs(before).max():.1f} → {1e3 * np.abs(after).max():.1f}), "
+        f"ball of 200 mm {_rms_mm(balls[0]):.1f} → {_rms_mm(balls[1]):.2f} mm, said "
+        f"{np.mean([one.std_m for one in outcomes]) * 1e3:.1f} mm, error over what is said "
+        f"{np.sqrt(np.mean(judged**2)):.2f}\n"
+    )
+    assert _rms_mm(after) < most_mm < _rms_mm(before)
+    assert _rms_mm(balls[1]) < 1.0 < _rms_mm(balls[0])
+    assert np.sqrt(np.mean(judged**2)) < 1.5, "the covariance tells the truth, within what so few devices can show"
