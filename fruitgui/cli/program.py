@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 from fruitgui import __version__
-from fruitgui.cli import calibrate, demo, evaluate, record, run, study, train, window
+from fruitgui.cli import calibrate, demo, evaluate, record, run, sensors, study, train, window
 from fruitgui.cli.console import Console
 from fruitgui.errors import CancelledByUserError, FruitguiError, InputError, WorldError
 
-COMMANDS = (demo, record, calibrate, train, run, study, evaluate)
+COMMANDS = (demo, sensors, record, calibrate, train, run, study, evaluate)
 
 
 class _Parser(argparse.ArgumentParser):

@@ -1,0 +1,124 @@
+"""What can be wrong with sensors and their USB, each with what to do about it, in plain words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from fruitgui.errors import FruitguiError
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One thing that is wrong.
+
+    Attributes:
+        code: a stable word.
+        what: is wrong, one sentence. remedy: what to do, one or two.
+        values: that stand in the sentences, by name, for whoever says them in another language.
+    """
+
+    code: str
+    what: str
+    remedy: str
+    values: Mapping[str, str] = field(default_factory=dict)
+
+
+WORDS: Mapping[str, tuple[str, str]] = {
+    # of the system
+    "nothing_connected": (
+        "No depth sensor was found on this computer.",
+        "Plug one in straight at the computer, switch its power adapter on, and check again after ten seconds.",
+    ),
+    "no_usb": (
+        "This system shows no USB at all.",
+        "In a virtual machine or a container, hand its USB devices on to it; else look for USB in the BIOS.",
+    ),
+    "bus_full": (
+        "{sensors} share USB controller {controller} (bus {bus}); it has room for one Kinect with colour and depth.",
+        "Plug each into a socket of another controller (this check shows which one carries it), or add a USB card for "
+        "each further Kinect. Taking turns with depth alone, two fit.",
+    ),
+    "usbfs_memory": (
+        "All programs together may hold {have} MB for USB, and these sensors need {need} MB.",
+        "As the administrator: echo {want} > /sys/module/usbcore/parameters/usbfs_memory_mb; to keep it, add "
+        "usbcore.usbfs_memory_mb={want} to the kernel's command line.",
+    ),
+    "driver_hangs": (
+        "The driver for {make} does not answer.",
+        "Unplug these sensors, plug them in again, and check again. If it stays so, restart the computer.",
+    ),
+    "driver_failed": (
+        "The driver for {make} failed: {why}.",
+        "Unplug these sensors and plug them in again. If it stays so, install the program again.",
+    ),
+    # of one sensor
+    "no_power": (
+        "A Kinect shows its motor but no camera: it has no power.",
+        "Plug in its power adapter, at the wall and at the cable. USB alone does not feed a Kinect.",
+    ),
+    "unsupported": (
+        "There is no driver for {model} in this version.",
+        "Use a sensor that is supported, or record it with ROS 2 and open the recording.",
+    ),
+    "no_access": (
+        "The system does not let you use it.",
+        "Install the rules that do: fruitgui sensors --install-udev-rules. Then unplug it and plug it in again.",
+    ),
+    "no_access_yet": (
+        "The system does not let you use it, although the rules are installed.",
+        "Unplug it and plug it in again. If it stays so, restart the computer.",
+    ),
+    "no_node": (
+        "The system knows it, but shows no file to use it through ({node}).",
+        "In a container, hand /dev/bus/usb on to it. Else unplug it and plug it in again.",
+    ),
+    "busy": (
+        "Another program has it open: {programs}.",
+        "Close that program, then check again.",
+    ),
+    "kernel_driver": (
+        "The system uses it as a webcam ({driver}).",
+        "It is taken over when it runs. If that fails: sudo modprobe -r {driver}",
+    ),
+    "slow_port": (
+        "It runs at {speed} Mbit/s and needs {needed} Mbit/s to give all its pictures.",
+        "Use the cable that came with it, straight at the computer, in a socket of USB {usb}.",
+    ),
+    "not_found": (
+        "It is plugged in, but its driver does not find it.",
+        "Unplug it and plug it in again, with its power adapter.",
+    ),
+    "no_serial": (
+        "It has the same serial as another sensor, or none: they cannot be told apart.",
+        "Use one of them only, or one of another model.",
+    ),
+    "hangs": (
+        "Its driver hangs.",
+        "Unplug it and plug it in again, then check again.",
+    ),
+    "silent": (
+        "It gave no picture in {seconds} s.",
+        "Check its power adapter and cable; give it a socket of its own, not on a hub.",
+    ),
+    "slow": (
+        "It gives {rate} of {nominal} pictures a second.",
+        "Give it a USB controller of its own, and close other programs.",
+    ),
+    "loses": (
+        "It lost {lost} of {all} pictures.",
+        "Use a shorter cable without a hub, and a USB controller of its own.",
+    ),
+}
+"""What is wrong, and what to do, by code."""
+
+
+def problem(code: str, **values: str) -> Problem:
+    """Return a problem in words. Raises `KeyError` for a code that has none, or a value that is missing."""
+    what, remedy = WORDS[code]
+    return Problem(code, what.format(**values), remedy.format(**values), values)
+
+
+def problem_of(error: FruitguiError) -> Problem:
+    """Return an error, of a driver for example, as a problem."""
+    return Problem(error.code, error.what, error.remedy)

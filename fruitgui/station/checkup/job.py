@@ -1,0 +1,163 @@
+"""The job: look the USB over, ask the drivers, run what can be run, and say what is wrong."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Protocol
+
+from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+from fruitgui.sensors.drivers import Driver, known_drivers
+from fruitgui.sensors.named import NamedSensor
+from fruitgui.sensors.sensor import Sensor
+from fruitgui.sensors.usb.bandwidth import PROMISED_US
+from fruitgui.sensors.usb.findings import UsbView, look_over
+from fruitgui.sensors.usb.machine import Machine
+from fruitgui.sensors.usb.problems import Problem, problem, problem_of
+from fruitgui.station.checkup.asking import ANSWER_S, ask
+from fruitgui.station.checkup.joining import Joined, joined
+from fruitgui.station.checkup.measuring import Outcome, measure
+from fruitgui.station.checkup.records import CheckedController, CheckedSensor, Checkup, SensorState
+
+ALWAYS_ASKED = ("kinect",)
+"""Drivers whose library is small and belongs to the system. A vendor's SDK is loaded only where the USB shows a device
+that it reads."""
+
+SLOW_SHARE = 0.75
+"""Below this share of what a device promises, its rate is a problem."""
+
+LOST_SHARE = 0.02
+"""From this share of lost pictures on, they are a problem."""
+
+
+class Watching(Protocol):
+    """How sensors are run and watched."""
+
+    def __call__(
+        self, sensors: Sequence[Sensor], seconds: float, progress: Progress, cancelled: Cancelled
+    ) -> Mapping[str, Outcome]:
+        """Return how each did, by id."""
+
+
+@dataclass(frozen=True, slots=True)
+class CheckupPlan:
+    """What is looked at, and how.
+
+    Attributes:
+        seconds: how long sensors are watched; 0 runs none.
+        machine: the system.
+        drivers: of all makes.
+        watching: runs the sensors.
+        answer_s: how long a driver may take to say what is plugged in.
+    """
+
+    seconds: float
+    machine: Machine = field(default_factory=Machine)
+    drivers: Sequence[Driver] = field(default_factory=known_drivers)
+    watching: Watching = measure
+    answer_s: float = ANSWER_S
+
+
+def check_up(plan: CheckupPlan, progress: Progress = no_progress, cancelled: Cancelled = never_cancelled) -> Checkup:
+    """Return what is connected and what is wrong with it. Nothing of that is an error.
+
+    Raises:
+        CancelledByUserError: it was cancelled; no sensor runs any more.
+    """
+    progress(0.0, "Looking at the USB")
+    view = look_over(plan.machine, os.getpid())
+    stop_if(cancelled)
+    progress(0.05, "Asking the drivers")
+    answers = ask(_of_use(plan.drivers, view), plan.answer_s)
+    stop_if(cancelled)
+    found = joined(view, answers)
+    outcomes = _run(found, plan, progress, cancelled) if plan.seconds > 0 else {}
+    sensors = tuple(_with_outcome(one.checked, outcomes.get(one.checked.name), plan.seconds) for one in found)
+    answered = [one.problem for one in answers if one.problem is not None]
+    missing = [one.unusable for one in answers if one.unusable is not None and not found]
+    problems = [*_nothing(view, found, answered), *missing, *answered, *view.problems, *_full_buses(view, sensors)]
+    progress(1.0, "Done")
+    return Checkup(sensors, tuple(problems), _controllers(view, sensors))
+
+
+def _of_use(drivers: Sequence[Driver], view: UsbView) -> list[Driver]:
+    plugged = {one.known.make for one in view.sensors}
+    return [one for one in drivers if one.make in plugged or one.make in ALWAYS_ASKED]
+
+
+def _run(found: Sequence[Joined], plan: CheckupPlan, progress: Progress, cancelled: Cancelled) -> Mapping[str, Outcome]:
+    closed = (SensorState.NO_ACCESS, SensorState.NO_DRIVER)
+    sensors = [
+        NamedSensor(one.sensor, one.checked.name)
+        for one in found
+        if one.sensor is not None and one.checked.state not in closed
+    ]
+    return plan.watching(sensors, plan.seconds, progress, cancelled) if sensors else {}
+
+
+def _with_outcome(checked: CheckedSensor, outcome: Outcome | None, seconds: float) -> CheckedSensor:
+    if outcome is None:
+        return checked
+    problems = [*_still_true(checked.problems, outcome), *_of_outcome(checked, outcome, seconds)]
+    busy = checked.state is SensorState.BUSY and outcome.state is SensorState.FAILED
+    state = SensorState.BUSY if busy else outcome.state
+    return replace(checked, state=state, measured=outcome.measured, problems=tuple(problems))
+
+
+def _still_true(problems: Sequence[Problem], outcome: Outcome) -> list[Problem]:
+    """Return the problems that are left after a sensor ran: one that gave pictures is in nobody's way."""
+    if outcome.state is not SensorState.RUNNING:
+        return list(problems)
+    return [one for one in problems if one.code not in ("busy", "kernel_driver")]
+
+
+def _of_outcome(checked: CheckedSensor, outcome: Outcome, seconds: float) -> list[Problem]:
+    if outcome.state is SensorState.HANGS:
+        return [problem("hangs")]
+    if outcome.state is SensorState.FAILED:
+        explained = any(one.code == "busy" for one in checked.problems)
+        return [] if explained or outcome.error is None else [problem_of(outcome.error)]
+    measured = outcome.measured
+    if measured is None:
+        return [problem("silent", seconds=f"{seconds:g}")]
+    found = []
+    if measured.rate_hz < SLOW_SHARE * measured.nominal_hz:
+        found.append(problem("slow", rate=f"{measured.rate_hz:.1f}", nominal=f"{measured.nominal_hz:.1f}"))
+    everything = measured.frames + measured.lost
+    if measured.lost > LOST_SHARE * everything:
+        found.append(problem("loses", lost=str(measured.lost), all=str(everything)))
+    return found
+
+
+def _nothing(view: UsbView, found: Sequence[Joined], answered: Sequence[Problem]) -> list[Problem]:
+    if found or answered or any(one.code == "no_power" for one in view.problems):
+        return []
+    return [problem("nothing_connected" if view.shown else "no_usb")]
+
+
+def _full_buses(view: UsbView, sensors: Sequence[CheckedSensor]) -> list[Problem]:
+    names = {one.place.port: one.name for one in sensors}
+    return [
+        problem(
+            "bus_full",
+            sensors=", ".join(names.get(kinect.path, kinect.path) for kinect in load.kinects),
+            controller=view.tree.controller(load.bus) or "?",
+            bus=str(load.bus),
+        )
+        for load in view.loads
+        if not load.fits
+    ]
+
+
+def _controllers(view: UsbView, sensors: Sequence[CheckedSensor]) -> tuple[CheckedController, ...]:
+    loads = {load.bus: load.wanted_us / PROMISED_US for load in view.loads}
+    found = []
+    for address in dict.fromkeys(bus.controller for bus in view.tree.buses.values()):
+        buses = [bus for bus in view.tree.buses.values() if bus.controller == address]
+        numbers = tuple(sorted(bus.number for bus in buses))
+        on_it = tuple(one.name for one in sensors if one.place.bus in numbers)
+        load = max((loads[number] for number in numbers if number in loads), default=None)
+        driver = next((bus.driver for bus in buses if bus.driver), "")
+        found.append(CheckedController(address, driver, numbers, on_it, load))
+    return tuple(found)

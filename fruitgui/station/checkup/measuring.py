@@ -1,0 +1,92 @@
+"""How well sensors run: all of them together for some seconds, as they would on the line."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from fruitgui.errors import FruitguiError
+from fruitgui.progress import Cancelled, Progress, stop_if
+from fruitgui.sensors.feed import Feed, Running, SensorHealth
+from fruitgui.sensors.sensor import Sensor
+from fruitgui.station.checkup.records import Measured, SensorState
+
+START_S = 10.0
+"""How long sensors may take to give their first picture."""
+
+LOOK_S = 0.05
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How a sensor did.
+
+    Attributes:
+        state: running, silent, failed or hangs.
+        measured: None where no picture came.
+        error: why it failed.
+    """
+
+    state: SensorState
+    measured: Measured | None = None
+    error: FruitguiError | None = None
+
+
+def measure(
+    sensors: Sequence[Sensor], seconds: float, progress: Progress, cancelled: Cancelled
+) -> Mapping[str, Outcome]:
+    """Run sensors together and watch them for so many seconds; return how each did, by id.
+
+    They are stopped within two seconds whatever happens; one whose driver hangs is left behind.
+
+    Raises:
+        CancelledByUserError: it was cancelled; the sensors are stopped.
+    """
+    if not sensors:
+        return {}
+    feed = Feed(sensors)
+    hung: tuple[str, ...] = ()
+    try:
+        feed.start()
+        _wait_for_first(feed, progress, cancelled)
+        outcomes = watch(feed, seconds, progress, cancelled)
+    finally:
+        hung = feed.stop()
+    return {name: Outcome(SensorState.HANGS) if name in hung else one for name, one in outcomes.items()}
+
+
+def watch(feed: Feed, seconds: float, progress: Progress, cancelled: Cancelled) -> dict[str, Outcome]:
+    """Watch sensors that run for so many seconds; return how each did, by id.
+
+    Raises:
+        CancelledByUserError: it was cancelled.
+    """
+    began_s = time.monotonic()
+    before = {name: feed.health(name) for name in feed.sensors}
+    while (passed_s := time.monotonic() - began_s) < seconds:
+        stop_if(cancelled)
+        progress(0.3 + 0.7 * passed_s / seconds, "Watching the sensors run")
+        time.sleep(LOOK_S)
+    return {name: _outcome(before[name], feed.health(name), time.monotonic() - began_s) for name in feed.sensors}
+
+
+def _wait_for_first(feed: Feed, progress: Progress, cancelled: Cancelled) -> None:
+    """Wait until every sensor has given a picture or failed, not for ever."""
+    began_s = time.monotonic()
+    while (passed_s := time.monotonic() - began_s) < START_S:
+        stop_if(cancelled)
+        health = [feed.health(name) for name in feed.sensors]
+        if all(one.frames or one.state in (Running.FAILED, Running.ENDED) for one in health):
+            return
+        progress(0.3 * passed_s / START_S, "Starting the sensors")
+        time.sleep(LOOK_S)
+
+
+def _outcome(before: SensorHealth, after: SensorHealth, seconds: float) -> Outcome:
+    frames = after.frames - before.frames
+    if not frames:
+        failed = after.state is Running.FAILED or (after.error is not None and not after.frames)
+        return Outcome(SensorState.FAILED if failed else SensorState.SILENT, error=after.error)
+    lost = after.drops - before.drops
+    return Outcome(SensorState.RUNNING, Measured(frames / seconds, after.nominal_hz, frames, lost))
