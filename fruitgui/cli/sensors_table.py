@@ -35,15 +35,19 @@ def table_text(checkup: Checkup) -> str:
     if checkup.sensors:
         rich.print(_sensors(checkup.sensors))
     if any(one.sensors for one in checkup.controllers):
+        rich.print()
         rich.print(_controllers(checkup.controllers))
+    if checkup.sensors:
+        rich.print()
+    _say_problems(rich, "", checkup.problems)
     for sensor in checkup.sensors:
         _say_problems(rich, sensor.name, sensor.problems)
+    for sensor in checkup.sensors:
         for limit in sensor.limits:
             rich.print(Text(f"{sensor.name}: {limit}", style="dim"))
-    _say_problems(rich, "", checkup.problems)
     if checkup.sensors and not checkup.all_problems:
         rich.print(Text("Nothing is wrong.", style="green"))
-    return page.getvalue().rstrip("\n")
+    return "\n".join(line.rstrip() for line in page.getvalue().rstrip().splitlines())
 
 
 def _sensors(sensors: Iterable[CheckedSensor]) -> Table:

@@ -9,12 +9,13 @@ from hatchling.builders.wheel import WheelBuilder
 ROOT = Path(__file__).parents[2]
 
 
-def test_the_wheel_carries_the_manual_and_its_pictures(tmp_path: Path) -> None:
+def test_the_wheel_carries_the_manual_its_pictures_and_the_rules_for_sensors(tmp_path: Path) -> None:
     (wheel,) = WheelBuilder(str(ROOT)).build(directory=str(tmp_path))
     with zipfile.ZipFile(wheel) as archive:
         carried = set(archive.namelist())
     docs = ROOT / "resources" / "docs"
     wanted = [*(docs / "manual").iterdir(), *(docs / "pictures" / "manual").iterdir()]
+    wanted += (ROOT / "resources" / "udev").iterdir()
     assert {f"fruitgui/{path.relative_to(ROOT).as_posix()}" for path in wanted} <= carried
 
 

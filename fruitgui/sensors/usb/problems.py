@@ -31,13 +31,17 @@ WORDS: Mapping[str, tuple[str, str]] = {
         "Plug one in straight at the computer, switch its power adapter on, and check again after ten seconds.",
     ),
     "no_usb": (
-        "This system shows no USB at all.",
-        "In a virtual machine or a container, hand its USB devices on to it; else look for USB in the BIOS.",
+        "No depth sensor was found: this system shows no USB at all.",
+        "In a virtual machine or a container, hand the computer's USB devices on to it. On a computer, look in its "
+        "BIOS whether USB is switched off.",
     ),
     "bus_full": (
         "{sensors} share USB controller {controller} (bus {bus}); it has room for one Kinect with colour and depth.",
-        "Plug each into a socket of another controller (this check shows which one carries it), or add a USB card for "
-        "each further Kinect. Taking turns with depth alone, two fit.",
+        "Controller {free} has room: try one sensor in other sockets until this check shows it there.",
+    ),
+    "buses_full": (
+        "{sensors} share USB controller {controller} (bus {bus}); it has room for one Kinect with colour and depth.",
+        "This computer has no other controller with room: add a USB card for each further Kinect.",
     ),
     "usbfs_memory": (
         "All programs together may hold {have} MB for USB, and these sensors need {need} MB.",

@@ -15,6 +15,7 @@ from fruitgui.sensors.usb.bandwidth import PROMISED_US
 from fruitgui.sensors.usb.findings import UsbView, look_over
 from fruitgui.sensors.usb.machine import Machine
 from fruitgui.sensors.usb.problems import Problem, problem, problem_of
+from fruitgui.sensors.usb.tree import HIGH_SPEED_MBPS
 from fruitgui.station.checkup.asking import ANSWER_S, ask
 from fruitgui.station.checkup.joining import Joined, joined
 from fruitgui.station.checkup.measuring import Outcome, measure
@@ -138,16 +139,18 @@ def _nothing(view: UsbView, found: Sequence[Joined], answered: Sequence[Problem]
 
 def _full_buses(view: UsbView, sensors: Sequence[CheckedSensor]) -> list[Problem]:
     names = {one.place.port: one.name for one in sensors}
-    return [
-        problem(
-            "bus_full",
-            sensors=", ".join(names.get(kinect.path, kinect.path) for kinect in load.kinects),
-            controller=view.tree.controller(load.bus) or "?",
-            bus=str(load.bus),
-        )
-        for load in view.loads
-        if not load.fits
-    ]
+    loaded = {view.tree.controller(load.bus) for load in view.loads}
+    fast = [bus for bus in view.tree.buses.values() if bus.speed_mbps >= HIGH_SPEED_MBPS]
+    free = [bus.controller for bus in fast if bus.controller not in loaded]
+    found = []
+    for load in (one for one in view.loads if not one.fits):
+        values = {
+            "sensors": ", ".join(names.get(kinect.path, kinect.path) for kinect in load.kinects),
+            "controller": view.tree.controller(load.bus) or "?",
+            "bus": str(load.bus),
+        }
+        found.append(problem("bus_full", **values, free=free[0]) if free else problem("buses_full", **values))
+    return found
 
 
 def _controllers(view: UsbView, sensors: Sequence[CheckedSensor]) -> tuple[CheckedController, ...]:

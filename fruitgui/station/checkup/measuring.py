@@ -79,7 +79,7 @@ def _wait_for_first(feed: Feed, progress: Progress, cancelled: Cancelled) -> Non
         health = [feed.health(name) for name in feed.sensors]
         if all(one.frames or one.state in (Running.FAILED, Running.ENDED) for one in health):
             return
-        progress(0.3 * passed_s / START_S, "Starting the sensors")
+        progress(0.1 + 0.2 * passed_s / START_S, "Starting the sensors")
         time.sleep(LOOK_S)
 
 
