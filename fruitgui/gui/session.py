@@ -19,14 +19,17 @@ from fruitgui.gui.tasks import TaskRunner
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.store import open_store
+from fruitgui.sensors.turns import Settling
 from fruitgui.station.connection import Connection
 from fruitgui.station.facts import facts_of
 from fruitgui.station.kept_file import Damage, Kept, KeptFile
 from fruitgui.station.model import Model
+from fruitgui.station.projectors import Projectors
 from fruitgui.station.settings import Settings
 from fruitgui.station.sources import Sources, is_finite
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import station_value
+from fruitgui.station.turn_plan import overlapping, rig_of, schedule_of
 from fruitgui.station.workflow import Facts, Step, StepState, TaughtFacts, step_states
 from fruitgui.station.workflow_file import Marks
 from fruitgui.station.workspace import Workspace
@@ -45,7 +48,7 @@ class Session(QObject):
         source: opens what they come from.
         store: lots, fruit and what was taught.
         running: the line and its lot.
-        settings_changed, connection_changed, station_changed: that file was saved.
+        settings_changed, connection_changed, station_changed, projectors_changed: that file was saved.
         states_changed: a step may have another state now.
         taught_wanted: the taught fruit of a key is to be shown, on the screen where fruit get their kinds.
         damages: files that could not be read at the start; each lies aside, unharmed.
@@ -54,6 +57,7 @@ class Session(QObject):
     settings_changed = Signal()
     connection_changed = Signal()
     station_changed = Signal()
+    projectors_changed = Signal()
     states_changed = Signal()
     taught_wanted = Signal(int)
 
@@ -77,7 +81,10 @@ class Session(QObject):
         self._settings = self._taken(workspace.settings.load()) or Settings()
         self._connection = self._taken(workspace.connection.load())
         self._station = self._taken(workspace.station.load())
+        self._projectors = self._taken(workspace.projectors.load()) or Projectors()
         self._marks = self._taken(workspace.marks.load()) or Marks()
+        self.connected.changed.connect(self._arrange_turns)
+        self.station_changed.connect(self._arrange_turns)
         self.connected.changed.connect(self.states_changed)
         self.running.changed.connect(self._lots_changed)
         self.source.opened.connect(self._keep_connection)
@@ -97,6 +104,16 @@ class Session(QObject):
     def station(self) -> Station | None:
         """What setting up made."""
         return self._station
+
+    @property
+    def projectors(self) -> Projectors:
+        """What was measured of the sensors' projectors."""
+        return self._projectors
+
+    @property
+    def settlings(self) -> dict[str, Settling]:
+        """How long each device settles, by serial, as far as it was measured."""
+        return {serial: one.settling() for serial, one in self._projectors.settlings.items()}
 
     @property
     def taught(self) -> TaughtFacts | None:
@@ -151,6 +168,8 @@ class Session(QObject):
                 self._settings = files.settings.restore()
             elif damage.file == files.marks.path:
                 self._marks = files.marks.restore()
+            elif damage.file == files.projectors.path:
+                self._projectors = files.projectors.restore()
         except FruitguiError as error:
             self.messages.error(error)
             return
@@ -166,6 +185,13 @@ class Session(QObject):
             return
         self.station_changed.emit()
         self.states_changed.emit()
+
+    def save_projectors(self, projectors: Projectors) -> None:
+        """Keep what was measured of the projectors, and go by it from now on."""
+        if self._saved(self.workspace.projectors, projectors):
+            self._projectors = projectors
+            self._arrange_turns()
+            self.projectors_changed.emit()
 
     def save_marks(self, marks: Marks) -> None:
         """Keep which step was done with what."""
@@ -230,6 +256,15 @@ class Session(QObject):
             return ()
         feed = self.connected.feed
         return None if feed is None else feed.sensors
+
+    def _arrange_turns(self) -> None:
+        """Let the projectors take turns by what is known of the rig now."""
+        feed = self.connected.feed
+        if feed is not None:
+            rig = rig_of(self._station, {name: info.intrinsics for name, info in feed.infos.items()})
+            schedule = schedule_of(feed.infos, None if rig is None else overlapping(rig), self.settlings)
+            if schedule != feed.schedule:
+                feed.take_turns(schedule)
 
     def _keep_connection(self, connection: Connection) -> None:
         if connection != self._connection:

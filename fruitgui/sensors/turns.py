@@ -1,100 +1,145 @@
 """Whose projector is on when: structured-light sensors that see the same place take turns.
 
-A pure plan; a capture is timed by its own stamp, never by the plan.
+A pure plan. A feed keeps to it, by what the sensors confirm and not by the clock; a capture is timed by its own stamp.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+from fruitgui.sensors.sensor import Projector, SensorInfo
+
+USUAL_HZ = 30.0
+"""Of a sensor that does not say how many frames a second it gives."""
 
 VIEWS_NEEDED = 3
 """A fruit is to be seen this often by each sensor that it passes."""
 
+VIEWS_A_TURN = 3
+"""Frames kept of each turn. The way to the light's steadiness is the dear part of a turn: with as many frames as each
+fruit needs, no fruit waits longer than one round for all of its views."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settling:
+    """How long a device's depth is of no use after its projector was switched on; both must have passed.
+
+    Attributes:
+        settle_s: time.
+        discard_frames: frames.
+    """
+
+    settle_s: float = 0.150
+    discard_frames: int = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Light:
+    """What is known of one sensor that takes turns.
+
+    Attributes:
+        period_s: between its frames while it shines, > 0.
+        settling: after its projector was switched on.
+        switch_s: that switching on and off takes, together; a Kinect v1's five control requests over USB 2.
+    """
+
+    period_s: float
+    settling: Settling = Settling()
+    switch_s: float = 0.020
+
+    def turn_s(self, views: int) -> float:
+        """Return how long a turn lasts: switching, settling, and `views` frames, the first of them a period later."""
+        settled_s = max(self.settling.settle_s, self.settling.discard_frames * self.period_s)
+        return self.switch_s + settled_s + views * self.period_s
+
 
 @dataclass(frozen=True, slots=True)
 class Schedule:
-    """Slots that follow each other for ever.
+    """Slots that follow each other for ever. A sensor in no slot is nobody's concern: its projector is always on.
 
     Attributes:
-        slots: the sensors whose projectors are on together, slot by slot; none if there is no sensor.
-        slot_s: how long one slot lasts.
+        slots: the sensors whose projectors are on together, slot by slot.
+        lights: of each sensor in a slot.
+        views: frames that a sensor keeps of each turn.
     """
 
-    slots: tuple[tuple[str, ...], ...]
-    slot_s: float
+    slots: tuple[tuple[str, ...], ...] = ()
+    lights: Mapping[str, Light] = field(default_factory=dict)
+    views: int = VIEWS_A_TURN
 
     @property
     def cycle_s(self) -> float:
         """Time after which a sensor's turn comes again."""
-        return len(self.slots) * self.slot_s
+        return sum(max(self.lights[sensor].turn_s(self.views) for sensor in slot) for slot in self.slots)
 
-    @property
-    def rate_hz(self) -> float:
-        """Captures per second of each sensor."""
-        return 1.0 / self.cycle_s if self.slots else 0.0
+    def alternates(self, sensor: str) -> bool:
+        """Tell whether a sensor has to be dark at times."""
+        return len(self.slots) > 1 and any(sensor in slot for slot in self.slots)
 
-    def slot_at(self, time_s: float) -> int:
-        """Return the number of the slot that is on at a time since the start."""
-        return int(time_s // self.slot_s) % len(self.slots)
+    def settling(self, sensor: str) -> Settling:
+        """Return how a sensor settles; one that never goes dark does so once."""
+        light = self.lights.get(sensor)
+        return Settling() if light is None else light.settling
 
-    def sensors_at(self, time_s: float) -> tuple[str, ...]:
-        """Return the sensors whose projectors are on at a time since the start."""
-        return self.slots[self.slot_at(time_s)] if self.slots else ()
+    def rate_hz(self, sensor: str, nominal_hz: float) -> float:
+        """Return a sensor's frames per second, where it gives `nominal_hz` while it shines."""
+        return self.views / self.cycle_s if self.alternates(sensor) else nominal_hz
 
-    def next_turn_s(self, sensor: str, time_s: float) -> float:
-        """Return when, at `time_s` or after it, a turn of a sensor begins.
-
-        Raises:
-            KeyError: the sensor has no slot.
-        """
-        slot = next((number for number, sensors in enumerate(self.slots) if sensor in sensors), None)
-        if slot is None:
-            raise KeyError(sensor)
-        first_s = slot * self.slot_s
-        cycles = max(-((first_s - time_s) // self.cycle_s), 0.0)
-        return first_s + cycles * self.cycle_s
-
-    def highest_belt_speed_m_s(self, seen_length_m: float, views: int = VIEWS_NEEDED) -> float:
-        """Return the belt speed up to which each fruit is captured `views` times, wherever a turn begins.
-
-        A fruit is in view for length / speed; that holds at least n captures, at
-        whatever moment it enters, if it lasts n cycles.
-
-        Args:
-            seen_length_m: way along the belt on which a fruit is seen whole by one sensor.
-            views: captures wanted of each fruit.
-        """
-        if not self.slots:
-            return 0.0
-        return max(seen_length_m, 0.0) / (views * self.cycle_s)
+    def longest_wait_s(self, sensor: str, nominal_hz: float, views: int = VIEWS_NEEDED) -> float:
+        """Return within which time a sensor has given `views` frames for certain, whenever one begins to count."""
+        if not self.alternates(sensor):
+            return views / nominal_hz
+        period_s, cycle_s = self.lights[sensor].period_s, self.cycle_s
+        waits_s = []
+        for missed in range(self.views):  # one begins to count just after this frame of a turn
+            turns_on, frame = divmod(missed + views, self.views)
+            waits_s.append(turns_on * cycle_s + (frame - missed) * period_s)
+        return max(waits_s)
 
 
-def turns(sensors: Sequence[str], overlaps: Iterable[Collection[str]] | None, period_s: float) -> Schedule:
+def lights_of(infos: Iterable[SensorInfo], settlings: Mapping[str, Settling] | None = None) -> dict[str, Light]:
+    """Return the lights of those sensors that blind others and can be switched, in order.
+
+    Args:
+        infos: of all sensors.
+        settlings: as measured, by serial; the usual where not.
+    """
+    known = settlings or {}
+    return {
+        info.sensor: Light(1.0 / (info.rate_hz or USUAL_HZ), known.get(info.serial, Settling()))
+        for info in infos
+        if info.projector is Projector.SWITCHED
+    }
+
+
+def turns(
+    lights: Mapping[str, Light], overlaps: Iterable[Collection[str]] | None, views: int = VIEWS_A_TURN
+) -> Schedule:
     """Plan the turns: sensors that overlap never share a slot, and there are as few slots as greedy colouring finds.
 
     Colouring goes by the sensor with the most taken slots around it, then by
     the most neighbours (DSATUR, Brélaz 1979): exact for chains, rings and other
-    bipartite rigs.
+    bipartite rigs. A sensor that overlaps with none has no slot.
 
     Args:
-        sensors: ids, each once.
+        lights: the sensors that blind others, in order.
         overlaps: pairs of ids whose sensors see the same place; None before that is known: each alone.
-        period_s: time between captures: how long one slot lasts.
+        views: frames that a sensor keeps of each turn.
 
     Raises:
-        ValueError: a period that is not positive, an id twice, or a pair that names no two sensors.
+        ValueError: a period that is not positive, no views, or a pair that names no two of the sensors.
     """
-    if not period_s > 0:
-        raise ValueError(f"the period must be positive, not {period_s}")
-    if len(set(sensors)) != len(sensors):
-        raise ValueError("a sensor is named twice")
+    if not all(light.period_s > 0 for light in lights.values()) or views < 1:
+        raise ValueError("periods and views must be positive")
+    sensors = tuple(lights)
     if overlaps is None:
-        return Schedule(tuple((sensor,) for sensor in sensors), period_s)
-    slot_of = _colored(_neighbours(sensors, overlaps))
+        return Schedule(tuple((sensor,) for sensor in sensors) if len(sensors) > 1 else (), dict(lights), views)
+    neighbours = _neighbours(sensors, overlaps)
+    slot_of = _colored({sensor: others for sensor, others in neighbours.items() if others})
     count = max(slot_of.values(), default=-1) + 1
-    slots = (tuple(sensor for sensor in sensors if slot_of[sensor] == slot) for slot in range(count))
-    return Schedule(tuple(slots), period_s)
+    slots = (tuple(sensor for sensor in sensors if slot_of.get(sensor) == slot) for slot in range(count))
+    return Schedule(tuple(slots), dict(lights), views)
 
 
 def _neighbours(sensors: Sequence[str], overlaps: Iterable[Collection[str]]) -> dict[str, set[str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -10,7 +10,8 @@ import numpy as np
 
 from fruitgui.frame import F64, Frame, Intrinsics
 from fruitgui.geometry.rig import Rig
-from fruitgui.sensors.turns import Schedule, turns
+from fruitgui.sensors.sensor import Projector, SensorInfo
+from fruitgui.sensors.turns import USUAL_HZ, Schedule, Settling, lights_of, turns
 from fruitgui.station.station import Station
 
 WHOLE_FRUIT_M = 0.10
@@ -28,35 +29,74 @@ class TurnPlan:
     Attributes:
         schedule: the slots.
         overlaps_known: calibration told who overlaps; before that every sensor is alone.
-        nominal_hz: of a sensor that never waits.
+        nominal_hz: by sensor, frames per second were it alone.
+        rates_hz: by sensor, what its turns leave of them.
         highest_speed_m_s: of the belt, for three views of each fruit by each sensor.
+        clashes: pairs that see the same place and cannot take turns: one of their projectors cannot be switched.
     """
 
     schedule: Schedule
     overlaps_known: bool
-    nominal_hz: float
+    nominal_hz: Mapping[str, float]
+    rates_hz: Mapping[str, float]
     highest_speed_m_s: float
+    clashes: tuple[tuple[str, str], ...] = ()
 
     @property
-    def rate_hz(self) -> float:
-        """Captures per second that are left to each sensor."""
-        return self.schedule.rate_hz
+    def takes_turns(self) -> bool:
+        """Whether any projector has to be dark at times."""
+        return len(self.schedule.slots) > 1
 
 
-def turn_plan(sensors: Sequence[str], nominal_hz: float, seen_m: Mapping[str, float], rig: Rig | None) -> TurnPlan:
+def turn_plan(
+    infos: Mapping[str, SensorInfo],
+    seen_m: Mapping[str, float],
+    rig: Rig | None,
+    settlings: Mapping[str, Settling] | None = None,
+) -> TurnPlan:
     """Return the plan.
 
     Args:
-        sensors: names, in order.
-        nominal_hz: of a sensor that never waits, > 0.
+        infos: of all sensors, in order.
         seen_m: by sensor, way along the belt that it sees; see `seen_length_m`.
         rig: as calibrated with just these sensors; None before that.
+        settlings: as measured, by serial.
     """
     overlaps = None if rig is None else overlapping(rig)
-    schedule = turns(sensors, overlaps, 1.0 / nominal_hz)
-    shortest_m = min((seen_m[sensor] for sensor in sensors), default=0.0) - WHOLE_FRUIT_M
-    speed_m_s = schedule.highest_belt_speed_m_s(shortest_m)
-    return TurnPlan(schedule, overlaps is not None, nominal_hz, speed_m_s)
+    schedule = schedule_of(infos, overlaps, settlings)
+    nominal_hz = {name: info.rate_hz or USUAL_HZ for name, info in infos.items()}
+    speeds_m_s = [
+        max(seen_m[name] - WHOLE_FRUIT_M, 0.0) / schedule.longest_wait_s(name, nominal_hz[name]) for name in infos
+    ]
+    return TurnPlan(
+        schedule,
+        overlaps is not None,
+        nominal_hz,
+        {name: schedule.rate_hz(name, nominal_hz[name]) for name in infos},
+        min(speeds_m_s, default=0.0),
+        tuple(pair for pair in overlaps or () if _clash(*(infos[name].projector for name in pair))),
+    )
+
+
+def schedule_of(
+    infos: Mapping[str, SensorInfo],
+    overlaps: Iterable[tuple[str, str]] | None,
+    settlings: Mapping[str, Settling] | None = None,
+) -> Schedule:
+    """Return the turns of those sensors that take any.
+
+    Args:
+        infos: of all sensors, in order.
+        overlaps: pairs that see the same place; None before that is known.
+        settlings: as measured, by serial.
+    """
+    lights = lights_of(infos.values(), settlings)
+    among = None if overlaps is None else [pair for pair in overlaps if lights.keys() >= set(pair)]
+    return turns(lights, among)
+
+
+def _clash(first: Projector, second: Projector) -> bool:
+    return Projector.HARMLESS not in (first, second) and Projector.FIXED in (first, second)
 
 
 def overlapping(rig: Rig) -> list[tuple[str, str]]:

@@ -13,6 +13,7 @@ from fruitgui.station.connection import Connection
 from fruitgui.station.judging import FEATURES
 from fruitgui.station.kept_file import Damage, Kept, KeptFile, set_aside
 from fruitgui.station.model import Model, read_model, write_model
+from fruitgui.station.projectors import Projectors
 from fruitgui.station.settings import Settings
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import read_station, write_station
@@ -43,7 +44,7 @@ class Workspace:
 
     Attributes:
         folder: where everything lies.
-        settings, connection, station, marks: its small files.
+        settings, connection, station, projectors, marks: its small files.
         records_path, pictures_path: the databases, which the records room makes.
     """
 
@@ -51,6 +52,7 @@ class Workspace:
         self.folder = folder
         self.settings = _written(folder / "settings.json", Settings)
         self.connection = _written(folder / "connection.json", Connection)
+        self.projectors = _written(folder / "projectors.json", Projectors)
         self.marks = _written(folder / "steps.json", Marks)
         self.station: KeptFile[Station] = KeptFile(folder / "station.json", read_station, write_station)
         self.records_path = folder / "records.sqlite"

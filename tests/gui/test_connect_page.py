@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
@@ -12,12 +13,13 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.errors import InputError
 from fruitgui.gui.session import Session
-from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_sources
+from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_sources, with_projectors
 from fruitgui.gui.steps.connect.offers import SIMULATED
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.lot import LotPlan
 from fruitgui.simulation.scenes import still_scene
+from fruitgui.station.projectors import MeasuredSettling, Projectors
 from fruitgui.station.sources import Connected, Make, RecordedSource, Sources
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.workflow import State, Step
@@ -110,8 +112,32 @@ def test_connecting_shows_each_sensor_live_and_is_kept(
     first = page.tiles.tiles[0]
     qtbot.waitUntil(lambda: first._thumbnails.colour is not None and first._thumbnails.depth is not None)
     assert page.main_action is page.calibrate_action
+    assert not page.turns.picture.isVisible()
+    assert "10.0 pictures" in page.turns.result.text()
+
+
+def test_sensors_that_blind_each_other_are_seen_to_take_turns(
+    qtbot: QtBot, tmp_path: Path, theme: Theme, rig: FrozenSource
+) -> None:
+    session = Session(open_workspace(tmp_path / "line"), sources=frozen_sources(with_projectors(rig)))
+    page = ConnectPage(session, theme)
+    qtbot.addWidget(page)
+    page.resize(1072, 580)
+    page.show()
+    page.entered()
+    _connect(qtbot, session, page)
     assert page.turns.picture.accessibleName() == "kinect_1 → kinect_2"
-    assert "5.0 of 10.0" in page.turns.result.text()
+    assert page.turns.picture.isVisible()
+    assert "2.4 of 10.0" in page.turns.result.text()  # 0.02 s to switch, three frames to settle, three to keep
+    session.save_projectors(Projectors(settlings={rig.sensors[0].info.serial: MeasuredSettling(
+        settle_s=1.0, discard_frames=10, steady_s=0.9, holes=0.1, trials=3, when=datetime.now(UTC)
+    )}))  # fmt: skip
+    feed = session.connected.feed
+    assert feed is not None
+    assert feed.schedule.cycle_s == pytest.approx(0.62 + 1.32)
+    qtbot.waitUntil(lambda: "1.5 of 10.0" in page.turns.result.text(), timeout=20_000)
+    assert session.close()
+    session.deleteLater()
 
 
 def test_pictures_are_drawn_only_while_they_are_looked_at(qtbot: QtBot, rigged: Session, page: ConnectPage) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 from fruitgui.errors import WorldError
 from fruitgui.frame import Frame
-from fruitgui.sensors.sensor import Sensor, SensorInfo, SensorTimeoutError
+from fruitgui.sensors.sensor import Projector, Sensor, SensorInfo, SensorTimeoutError
 from fruitgui.simulation.simulated import sensor_info
 from fruitgui.simulation.simulation import Simulation
 from fruitgui.station.sources import Connected, Make, Sources
@@ -22,13 +22,14 @@ PERIOD_S = 0.1
 class FrozenSensor:
     """Gives its frames again and again, ten a second; follows the `Sensor` protocol.
 
-    It can be told to fall `silent` or to be `broken`, for screens that show that.
+    It can be told to fall `silent` or to be `broken`, for screens that show that. In the dark it gives nothing.
     """
 
     def __init__(self, info: SensorInfo, frames: Sequence[Frame]) -> None:
         self._info = info
-        self._frames = frames
+        self.frames = frames
         self._next = 0
+        self._dark = False
         self.silent = threading.Event()
         self.broken = threading.Event()
 
@@ -50,16 +51,17 @@ class FrozenSensor:
         """Return the next frame. Raises `SensorTimeoutError` while it is silent, `WorldError` while it is broken."""
         if self.broken.is_set():
             raise WorldError("sensor_gone", f"Sensor {self._info.sensor} is gone.", "Plug it in again.")
-        if self.silent.is_set():
+        if self.silent.is_set() or self._dark:
             time.sleep(min(timeout_s, PERIOD_S))
             raise SensorTimeoutError(self._info.sensor, timeout_s)
         time.sleep(PERIOD_S)
-        frame, number = self._frames[self._next % len(self._frames)], self._next
+        frame, number = self.frames[self._next % len(self.frames)], self._next
         self._next += 1
         return replace(frame, sequence=number, time_s=number * PERIOD_S)
 
     def projector(self, on: bool) -> None:
-        """Do nothing: the frames were lit when they were made."""
+        """Give frames, or none."""
+        self._dark = not on
 
     def stop(self) -> None:
         """Do nothing."""
@@ -104,6 +106,12 @@ def frozen_source(simulation: Simulation, name: str = "frozen", shown_as: str = 
     infos = {sensor: replace(sensor_info(simulation, sensor), rate_hz=1.0 / PERIOD_S) for sensor in frames}
     sensors = tuple(FrozenSensor(infos[sensor], given) for sensor, given in frames.items())
     return FrozenSource(name, sensors, shown_as)
+
+
+def with_projectors(rig: FrozenSource) -> FrozenSource:
+    """Return a rig of the same pictures whose projectors have to take turns."""
+    sensors = (FrozenSensor(replace(one.info, projector=Projector.SWITCHED), one.frames) for one in rig.sensors)
+    return replace(rig, sensors=tuple(sensors))
 
 
 def frozen_sources(*rigs: FrozenSource) -> Sources:

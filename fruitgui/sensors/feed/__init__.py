@@ -2,6 +2,7 @@
 
 from fruitgui.sensors.feed.feed import Feed
 from fruitgui.sensors.feed.health import Running, SensorHealth
+from fruitgui.sensors.feed.lit import Lit
 from fruitgui.sensors.feed.order import ByArrival, ByCapture
 from fruitgui.sensors.feed.subscription import Arrival, DropOldest, Room, Subscription, WaitForRoom
 
@@ -11,6 +12,7 @@ __all__ = [
     "ByCapture",
     "DropOldest",
     "Feed",
+    "Lit",
     "Room",
     "Running",
     "SensorHealth",

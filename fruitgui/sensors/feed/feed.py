@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 
 from fruitgui.frame import Frame
 from fruitgui.sensors.feed.health import Running, SensorHealth
 from fruitgui.sensors.feed.order import Order
 from fruitgui.sensors.feed.reader import Ears, Reader
 from fruitgui.sensors.feed.subscription import Arrival, DropOldest, Room, Subscription
+from fruitgui.sensors.feed.turn_keeper import TurnKeeper
 from fruitgui.sensors.sensor import Sensor, SensorInfo
+from fruitgui.sensors.turns import Schedule, lights_of, turns
 
 STOP_S = 2.0
 """Stopping takes no longer, whatever the drivers do."""
@@ -20,11 +23,16 @@ STOP_S = 2.0
 class Feed:
     """Runs sensors, one thread each, from `start` to `stop`; one owner calls both.
 
-    Constructing starts nothing. Everything else may be called from any thread and never waits.
+    Constructing starts nothing. Everything else may be called from any thread and never waits. Frames reach nobody
+    that were damaged, or captured outside of their sensor's own turn.
     """
 
-    def __init__(self, sensors: Sequence[Sensor]) -> None:
+    def __init__(self, sensors: Sequence[Sensor], schedule: Schedule | None = None) -> None:
         """Prepare.
+
+        Args:
+            sensors: to run.
+            schedule: of the turns of those that blind each other; each alone unless given.
 
         Raises:
             ValueError: two sensors have one name.
@@ -32,8 +40,11 @@ class Feed:
         self.infos: dict[str, SensorInfo] = {sensor.info.sensor: sensor.info for sensor in sensors}
         if len(self.infos) != len(sensors):
             raise ValueError("two sensors have one name")
+        self._schedule = turns(lights_of(self.infos.values()), None) if schedule is None else schedule
+        self._keeper = TurnKeeper(self._schedule)
+        self._rehearsal: Subscription | None = None
         ears = Ears(self._hear, self._miss, self._end)
-        self._readers = {sensor.info.sensor: Reader(sensor, ears) for sensor in sensors}
+        self._readers = {sensor.info.sensor: Reader(sensor, self._keeper, ears) for sensor in sensors}
         self._subscriptions: tuple[Subscription, ...] = ()
         self._lock = threading.Lock()
         self._stopped = False
@@ -59,6 +70,49 @@ class Feed:
         for subscription in subscriptions:
             subscription.close()
         return tuple(name for name, one in self._readers.items() if not one.wait(until_s - time.monotonic()))
+
+    @property
+    def schedule(self) -> Schedule:
+        """How the projectors take turns."""
+        return self._schedule
+
+    def take_turns(self, schedule: Schedule) -> None:
+        """Let the projectors take turns by another schedule from now on."""
+        with self._lock:
+            self._schedule = schedule
+            if self._rehearsal is None:
+                self._keeper.keep_to(schedule)
+
+    @contextmanager
+    def rehearsal(self, schedule: Schedule, room: int) -> Iterator[Subscription]:
+        """Try the projectors by another schedule: give a queue of what comes of it, settled or not.
+
+        Nobody else hears of the sensors that take turns meanwhile.
+
+        Args:
+            schedule: to try; a sensor in no slot of it shines all the time.
+            room: frames kept of each sensor while the oldest give way.
+
+        Raises:
+            ValueError: another rehearsal goes on.
+        """
+        heard = Subscription(self.sensors, DropOldest(room))
+        with self._lock:
+            if self._rehearsal is not None:
+                raise ValueError("one rehearsal at a time")
+            self._rehearsal = heard
+            self._keeper.keep_to(schedule, rehearsed=True)
+        try:
+            yield heard
+        finally:
+            with self._lock:
+                self._rehearsal = None
+                self._keeper.keep_to(self._schedule)
+            heard.close()
+
+    def try_again(self, sensor: str) -> None:
+        """Open a sensor that failed now: it is said to be back. Raises `KeyError` for a name that is not here."""
+        self._readers[sensor].try_again()
 
     def newest(self, sensor: str) -> Frame | None:
         """Return a sensor's newest frame; None before its first. Raises `KeyError` for a name that is not here."""
@@ -93,6 +147,11 @@ class Feed:
         return subscription
 
     def _hear(self, arrival: Arrival) -> None:
+        rehearsal = self._rehearsal
+        if arrival.lit.rehearsed:
+            if rehearsal is not None:
+                rehearsal.put(arrival)
+            return
         for subscription in self._subscriptions:
             subscription.put(arrival)
 

@@ -11,9 +11,12 @@ from fruitgui.errors import FruitguiError
 RATE_OVER_S = 3.0
 """The rate is that of the last seconds, not of the whole shift."""
 
-SILENT_AFTER_S = 1.0
-SILENT_AFTER_PERIODS = 3.0
-"""A sensor is silent when no frame came for so long, or for so many of its periods where those are longer."""
+RATE_OVER_ROUNDS = 8
+"""The rate of a sensor that takes turns is that of so many rounds: within one, its frames come all at once."""
+
+SILENT_AFTER_S = 0.8
+SILENT_AFTER_PERIODS = 4.0
+"""A sensor is silent when it owes a frame for so long, or for so many of its periods where those are longer."""
 
 
 class Running(StrEnum):
@@ -36,11 +39,14 @@ class SensorHealth:
         state: stopped, starting, running, silent, failed (it is opened again), or ended (a recording that is over).
         error: what failed last; None while it runs.
         rate_hz: frames per second, over the last seconds.
-        nominal_hz: as the sensor says of itself; 0 where it does not.
-        frames: read since the feed was started.
+        nominal_hz: as the sensor says of itself, what its turns leave of it; 0 where it does not.
+        frames: handed on since the feed was started.
         drops: frames that the device numbered and nobody got.
+        damaged: frames that lost a part on their way; nobody got those either.
         age_s: of the newest frame; None before the first.
         reopened: how often it was opened again.
+        hangs: its driver does not come back from a call.
+        blinded_by: sensors whose driver hangs while their projectors may be on, in what should be this one's turn.
         abandoned: its thread hangs in the driver and was left behind.
     """
 
@@ -51,8 +57,11 @@ class SensorHealth:
     nominal_hz: float = 0.0
     frames: int = 0
     drops: int = 0
+    damaged: int = 0
     age_s: float | None = None
     reopened: int = 0
+    hangs: bool = False
+    blinded_by: tuple[str, ...] = ()
     abandoned: bool = False
 
 
@@ -62,18 +71,22 @@ class Pulse:
     def __init__(self) -> None:
         self.frames = 0
         self.drops = 0
+        self.damaged = 0
         self._last_sequence: int | None = None
         self._arrivals: deque[float] = deque(maxlen=256)
 
     def begin(self) -> None:
-        """Forget the device's numbering: it was opened anew."""
+        """Forget the device's numbering: it was opened anew, or was dark."""
         self._last_sequence = None
 
-    def beat(self, sequence: int, now_s: float) -> None:
-        """Note a frame."""
+    def number(self, sequence: int) -> None:
+        """Note the number of a frame that was read, of use or not."""
         if self._last_sequence is not None and sequence > self._last_sequence + 1:
             self.drops += sequence - self._last_sequence - 1
         self._last_sequence = sequence
+
+    def beat(self, now_s: float) -> None:
+        """Count a frame that is handed on."""
         self._arrivals.append(now_s)
         self.frames += 1
 
@@ -81,11 +94,19 @@ class Pulse:
         """Return when the newest frame came."""
         return self._arrivals[-1] if self._arrivals else None
 
-    def rate_hz(self, now_s: float) -> float:
-        """Return frames per second over the last seconds; it falls while none come."""
-        lately = [at for at in list(self._arrivals) if at > now_s - RATE_OVER_S]
+    def rate_hz(self, now_s: float, round_s: float = 0.0) -> float:
+        """Return frames per second lately; it falls while none come.
+
+        Args:
+            now_s: the time.
+            round_s: after which its turn comes again; 0 for a sensor that takes none.
+        """
+        over_s = max(RATE_OVER_S, RATE_OVER_ROUNDS * round_s)
+        lately = [at for at in list(self._arrivals) if at > now_s - over_s]
         if len(lately) < 2:
-            return len(lately) / RATE_OVER_S
+            return len(lately) / over_s
+        if round_s:
+            return len(lately) / max(now_s - lately[0], round_s)
         between_s = (lately[-1] - lately[0]) / (len(lately) - 1)
         return 1.0 / max(between_s, (now_s - lately[-1]) / 1.5, 1e-6)
 

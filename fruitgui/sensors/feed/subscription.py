@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from fruitgui.frame import Frame
+from fruitgui.sensors.feed.lit import ALWAYS, Lit
 from fruitgui.sensors.feed.order import ByArrival, Order
 
 LOOK_S = 0.1
@@ -17,10 +18,11 @@ LOOK_S = 0.1
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Arrival:
-    """A frame and when it came, by the host's monotonic clock, seconds."""
+    """A frame, when it came by the host's monotonic clock, seconds, and how it was lit."""
 
     frame: Frame
     arrived_s: float
+    lit: Lit = ALWAYS
 
 
 class Room(Protocol):

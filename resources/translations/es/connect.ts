@@ -390,10 +390,6 @@
         <translation>Los proyectores se turnan</translation>
     </message>
     <message>
-        <source>{rate} of {nominal} pictures a second each; belt up to {speed}</source>
-        <translation>{rate} de {nominal} imágenes por segundo cada uno; cinta hasta {speed}</translation>
-    </message>
-    <message>
         <source>One sensor blinds no other; its projector is always on.</source>
         <translation>Un solo sensor no encandila a otro; su proyector está siempre encendido.</translation>
     </message>
@@ -404,6 +400,30 @@
     <message>
         <source>No two sensors see the same place; all are on together.</source>
         <translation>Ningún par de sensores ve el mismo lugar; todos se encienden juntos.</translation>
+    </message>
+    <message>
+        <source>Projectors</source>
+        <translation>Proyectores</translation>
+    </message>
+    <message>
+        <source>{low} to {high} pictures a second; belt up to {speed}</source>
+        <translation>{low} a {high} imágenes por segundo; cinta hasta {speed}</translation>
+    </message>
+    <message>
+        <source>{low} of {nominal} pictures a second each; belt up to {speed}</source>
+        <translation>{low} de {nominal} imágenes por segundo cada uno; cinta hasta {speed}</translation>
+    </message>
+    <message>
+        <source>{low} pictures a second each; belt up to {speed}</source>
+        <translation>{low} imágenes por segundo cada uno; cinta hasta {speed}</translation>
+    </message>
+    <message>
+        <source>These blind each other, as a projector of theirs cannot be switched: {pairs}.</source>
+        <translation>Estos se deslumbran entre sí, porque un proyector suyo no se puede apagar: {pairs}.</translation>
+    </message>
+    <message>
+        <source>The light of these sensors does not disturb the others; none has to wait.</source>
+        <translation>La luz de estos sensores no estorba a los demás; ninguno tiene que esperar.</translation>
     </message>
     <message>
         <source>Sensors that see the same place are never on together.</source>

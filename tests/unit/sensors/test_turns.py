@@ -6,18 +6,27 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fruitgui.sensors.turns import Schedule, turns
+from fruitgui.sensors.sensor import Projector, SensorInfo
+from fruitgui.sensors.turns import Light, Schedule, Settling, lights_of, turns
+from tests.unit.sensors.scripted import CAMERA
 
 IDS = ["a", "b", "c", "d", "e", "f", "g", "h"]
 PAIRS = list(itertools.combinations(IDS, 2))
+KINECT = Light(1 / 30)
+
+
+def lights(sensors: list[str]) -> dict[str, Light]:
+    return dict.fromkeys(sensors, KINECT)
 
 
 @given(overlaps=st.sets(st.sampled_from(PAIRS)), count=st.integers(0, 8))
-def test_no_two_that_overlap_share_a_slot_and_each_has_one_turn(overlaps: set[tuple[str, str]], count: int) -> None:
+def test_no_two_that_overlap_share_a_slot_and_each_that_overlaps_has_one_turn(
+    overlaps: set[tuple[str, str]], count: int
+) -> None:
     sensors = IDS[:count]
     among = [pair for pair in overlaps if set(pair) <= set(sensors)]
-    schedule = turns(sensors, among, 0.1)
-    assert sorted(itertools.chain(*schedule.slots)) == sensors
+    schedule = turns(lights(sensors), among)
+    assert sorted(itertools.chain(*schedule.slots)) == [one for one in sensors if any(one in pair for pair in among)]
     for slot in schedule.slots:
         assert slot
         assert not any(set(pair) <= set(slot) for pair in among)
@@ -28,7 +37,7 @@ def test_no_two_that_overlap_share_a_slot_and_each_has_one_turn(overlaps: set[tu
 @pytest.mark.parametrize(
     ("overlaps", "slots"),
     [
-        ([], 1),
+        ([], 0),
         ([("a", "b")], 2),
         (list(itertools.pairwise(IDS)), 2),
         ([*itertools.pairwise(IDS), ("h", "a")], 2),
@@ -38,66 +47,96 @@ def test_no_two_that_overlap_share_a_slot_and_each_has_one_turn(overlaps: set[tu
     ],
 )
 def test_chains_and_even_rings_take_two_slots(overlaps: list[tuple[str, str]] | None, slots: int) -> None:
-    assert len(turns(IDS, overlaps, 0.1).slots) == slots
+    assert len(turns(lights(IDS), overlaps).slots) == slots
 
 
 def test_before_overlap_is_known_each_is_alone() -> None:
-    assert turns(["b", "a"], None, 0.1).slots == (("b",), ("a",))
+    assert turns(lights(["b", "a"]), None).slots == (("b",), ("a",))
 
 
-def test_rate_and_belt_speed() -> None:
-    """Two opposed sensors, a capture each 0.1 s, 0.6 m of belt in view: five captures a second of each."""
-    schedule = turns(["a", "b"], [("a", "b")], 0.1)
-    assert schedule.rate_hz == pytest.approx(5.0)
-    assert schedule.highest_belt_speed_m_s(0.6) == pytest.approx(1.0)
-    assert schedule.highest_belt_speed_m_s(-1.0) == 0.0
+def test_a_single_sensor_and_one_that_overlaps_with_none_are_never_dark() -> None:
+    assert not turns(lights(["a"]), None).alternates("a")
+    schedule = turns(lights(["a", "b", "c"]), [("a", "b")])
+    assert [schedule.alternates(one) for one in "abc"] == [True, True, False]
+    assert schedule.rate_hz("c", 30.0) == 30.0
+
+
+def test_rate_of_two_kinects_that_settle_as_usual() -> None:
+    """20 ms to switch, 150 ms to settle, three frames of 33 ms: 270 ms a turn, 540 ms a round, 5.6 frames a second."""
+    schedule = turns(lights(["a", "b"]), [("a", "b")])
+    assert schedule.cycle_s == pytest.approx(0.54)
+    assert schedule.rate_hz("a", 30.0) == pytest.approx(3 / 0.54)
+    assert schedule.longest_wait_s("a", 30.0) == pytest.approx(0.54)
+
+
+def test_whichever_takes_longer_is_waited_for() -> None:
+    by_time, by_frames = (Light(0.1, settling, 0.0) for settling in (Settling(0.5, 3), Settling(0.1, 3)))
+    assert by_time.turn_s(1) == pytest.approx(0.6)
+    assert by_frames.turn_s(1) == pytest.approx(0.4)
 
 
 @given(
-    speed_part=st.floats(0.2, 1.0), enters_s=st.floats(0, 10), slots=st.integers(1, 5), length_m=st.floats(0.1, 2.0),
-    sensor=st.integers(0, 4),
+    sensors=st.integers(2, 5), views=st.integers(1, 5), settle_s=st.floats(0.0, 1.0), hz=st.floats(2.0, 60.0),
+    phase=st.floats(0.0, 1.0), one=st.integers(0, 4),
 )  # fmt: skip
-def test_at_the_highest_speed_every_fruit_is_seen_three_times(
-    speed_part: float, enters_s: float, slots: int, length_m: float, sensor: int
+def test_within_the_longest_wait_every_fruit_is_seen_three_times(
+    sensors: int, views: int, settle_s: float, hz: float, phase: float, one: int
 ) -> None:
-    schedule = turns(IDS[:slots], None, 0.1)
-    one = IDS[sensor % slots]
-    stay_s = length_m / (schedule.highest_belt_speed_m_s(length_m) * speed_part) + 1e-6
-    seen, time_s = 0, schedule.next_turn_s(one, enters_s)
-    while time_s <= enters_s + stay_s:
-        seen += 1
-        time_s = schedule.next_turn_s(one, time_s + schedule.cycle_s / 2)
-    assert seen >= 3
+    """The captures of the plan, laid out in time, whenever a fruit comes into view."""
+    light = Light(1 / hz, Settling(settle_s, 2), 0.01)
+    schedule = turns(dict.fromkeys(IDS[:sensors], light), None, views)
+    slot, turn_s = one % sensors, light.turn_s(views)
+    captures_s = [
+        (cycle * sensors + slot + 1) * turn_s - left / hz for cycle in range(9) for left in reversed(range(views))
+    ]
+    enters_s = phase * schedule.cycle_s + schedule.cycle_s
+    leaves_s = enters_s + schedule.longest_wait_s(IDS[slot], hz)
+    assert sum(enters_s < at <= leaves_s + 1e-9 for at in captures_s) >= 3
 
 
-@given(time_s=st.floats(0, 1e4), slots=st.integers(1, 8))
-def test_the_next_turn_is_that_sensors_own(time_s: float, slots: int) -> None:
-    schedule = turns(IDS[:slots], None, 0.1)
-    for sensor in IDS[:slots]:
-        turn_s = schedule.next_turn_s(sensor, time_s)
-        assert time_s - 1e-9 <= turn_s <= time_s + schedule.cycle_s + 1e-9
-        assert sensor in schedule.sensors_at(turn_s + 0.05)
+@given(sensors=st.integers(2, 4), views=st.integers(1, 5))
+def test_no_shorter_wait_would_do(sensors: int, views: int) -> None:
+    light = Light(1 / 30)
+    schedule = turns(dict.fromkeys(IDS[:sensors], light), None, views)
+    captures_s = [
+        (cycle * sensors + 1) * light.turn_s(views) - left / 30 for cycle in range(9) for left in reversed(range(views))
+    ]
+    wait_s = schedule.longest_wait_s("a", 30.0)
+    worst = min(sum(after < at < after + wait_s - 1e-6 for at in captures_s) for after in captures_s[: 3 * views])
+    assert worst == 2
 
 
 def test_no_sensors_have_no_turns() -> None:
-    schedule = turns([], [], 0.1)
-    assert schedule == Schedule((), 0.1)
-    assert (schedule.rate_hz, schedule.cycle_s, schedule.sensors_at(1.0)) == (0.0, 0.0, ())
-    assert schedule.highest_belt_speed_m_s(1.0) == 0.0
-    with pytest.raises(KeyError):
-        schedule.next_turn_s("a", 0.0)
+    schedule = turns({}, [])
+    assert schedule == Schedule()
+    assert (schedule.slots, schedule.cycle_s, schedule.alternates("a")) == ((), 0.0, False)
 
 
 @pytest.mark.parametrize(
-    ("sensors", "overlaps", "period_s"),
+    ("light", "overlaps", "views"),
     [
-        (["a"], None, 0.0),
-        (["a"], None, float("nan")),
-        (["a", "a"], None, 0.1),
-        (["a"], [("a", "z")], 0.1),
-        (["a"], [("a", "a")], 0.1),
+        (Light(0.0), None, 3),
+        (Light(float("nan")), None, 3),
+        (KINECT, None, 0),
+        (KINECT, [("a", "z")], 3),
+        (KINECT, [("a", "a")], 3),
     ],
 )
-def test_plans_that_make_no_sense(sensors: list[str], overlaps: list[tuple[str, str]] | None, period_s: float) -> None:
-    with pytest.raises(ValueError, match=r"period|twice|pair"):
-        turns(sensors, overlaps, period_s)
+def test_plans_that_make_no_sense(light: Light, overlaps: list[tuple[str, str]] | None, views: int) -> None:
+    with pytest.raises(ValueError, match=r"positive|pair"):
+        turns({"a": light, "b": light}, overlaps, views)
+
+
+def test_only_sensors_that_blind_others_and_can_be_switched_take_turns() -> None:
+    infos = [
+        SensorInfo(name, "", "", f"S{name}", CAMERA, hz, projector)
+        for name, hz, projector in (
+            ("a", 30.0, Projector.SWITCHED), ("b", 0.0, Projector.SWITCHED),
+            ("c", 30.0, Projector.HARMLESS), ("d", 30.0, Projector.FIXED),
+        )
+    ]  # fmt: skip
+    measured = Settling(0.4, 9)
+    found = lights_of(infos, {"Sb": measured})
+    assert list(found) == ["a", "b"]
+    assert found["a"].settling == Settling(0.150, 3)
+    assert found["b"] == Light(1 / 30, measured)

@@ -1,9 +1,13 @@
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 import pytest
 
 from fruitgui.frame import Frame
+from fruitgui.sensors.sensor import Projector, SensorInfo
+from fruitgui.sensors.turns import Settling
 from fruitgui.simulation.device import KINECT_COLOR
 from fruitgui.simulation.scenes import bare_belt
 from fruitgui.station.station import Station, StationSensor
@@ -12,20 +16,31 @@ from fruitgui.station.turn_plan import overlapping, rig_of, seen_length_m, turn_
 SEEN_M = {f"kinect_{n}": 0.9 for n in range(1, 9)}
 
 
+def kinects(names: Iterable[str], projector: Projector = Projector.SWITCHED) -> dict[str, SensorInfo]:
+    return {name: SensorInfo(name, "", "", f"S-{name}", KINECT_COLOR, 30.0, projector) for name in names}
+
+
 def test_before_calibration_every_sensor_is_alone() -> None:
-    plan = turn_plan(("kinect_1", "kinect_2", "kinect_3"), 30.0, SEEN_M, None)
+    plan = turn_plan(kinects(["kinect_1", "kinect_2", "kinect_3"]), SEEN_M, None)
     assert plan.schedule.slots == (("kinect_1",), ("kinect_2",), ("kinect_3",))
+    assert plan.takes_turns
     assert not plan.overlaps_known
-    assert plan.rate_hz == pytest.approx(10.0)
-    # Three turns of 0.1 s must fit into the 0.8 m on which a fruit is seen whole.
-    assert plan.highest_speed_m_s == pytest.approx(0.8 / 0.3)
+    assert plan.rates_hz["kinect_2"] == pytest.approx(3 / 0.81)
+    # One round of 0.81 s, in which all three views are taken, must fit into the 0.8 m on which a fruit is seen whole.
+    assert plan.highest_speed_m_s == pytest.approx(0.8 / 0.81)
+
+
+def test_a_device_that_settles_slowly_takes_longer_turns() -> None:
+    infos = kinects(["kinect_1", "kinect_2"])
+    plan = turn_plan(infos, SEEN_M, None, {"S-kinect_2": Settling(0.5, 3)})
+    assert plan.schedule.cycle_s == pytest.approx(0.27 + 0.62)
 
 
 def test_sensors_that_do_not_overlap_share_a_turn_once_calibration_tells() -> None:
     rig = bare_belt(4, "chain").rig()
     pairs = {frozenset(pair) for pair in overlapping(rig)}
     assert {frozenset(("kinect_1", "kinect_2")), frozenset(("kinect_2", "kinect_3"))} <= pairs
-    plan = turn_plan(tuple(rig.mounts), 30.0, SEEN_M, rig)
+    plan = turn_plan(kinects(rig.mounts), SEEN_M, rig)
     assert plan.overlaps_known
     for slot in plan.schedule.slots:
         assert not any(set(pair) <= set(slot) for pair in pairs)
@@ -33,9 +48,25 @@ def test_sensors_that_do_not_overlap_share_a_turn_once_calibration_tells() -> No
 
 def test_groups_that_see_nothing_in_common_do_not_wait_for_each_other() -> None:
     rig = bare_belt(2, "disconnected").rig()
-    plan = turn_plan(tuple(rig.mounts), 30.0, SEEN_M, rig)
-    assert len(plan.schedule.slots) == 2
-    assert plan.rate_hz == pytest.approx(15.0)
+    plan = turn_plan(kinects(rig.mounts), SEEN_M, rig)
+    assert plan.schedule.slots == (("kinect_1",), ("kinect_2",))
+    assert plan.rates_hz["kinect_3"] == 30.0
+
+
+def test_sensors_that_do_not_mind_each_other_are_not_slowed() -> None:
+    rig = bare_belt(4, "opposed").rig()
+    plan = turn_plan(kinects(rig.mounts, Projector.HARMLESS), SEEN_M, rig)
+    assert not plan.takes_turns
+    assert set(plan.rates_hz.values()) == {30.0}
+    assert plan.highest_speed_m_s == pytest.approx(0.8 / 0.1)
+    assert plan.clashes == ()
+
+
+def test_a_projector_that_cannot_be_switched_is_named_with_whom_it_blinds() -> None:
+    rig = bare_belt(4, "opposed").rig()
+    infos = kinects(rig.mounts)
+    infos |= kinects(["kinect_1"], Projector.FIXED)
+    assert turn_plan(infos, SEEN_M, rig).clashes == (("kinect_1", "kinect_2"),)
 
 
 def test_how_much_belt_is_seen_grows_with_the_distance() -> None:

@@ -95,6 +95,7 @@ class ConnectPage(StepPage):
         session = self._session
         session.connection_changed.connect(self._show)
         session.station_changed.connect(self._show)
+        session.projectors_changed.connect(self._show)
         session.connected.changed.connect(self._show)
         session.connected.health_changed.connect(self._show)
         session.source.changed.connect(self._show)
@@ -158,7 +159,7 @@ class ConnectPage(StepPage):
         chosen = next(view for view in views if view.name == self._chosen)
         others = tuple(name for name in names if name != self._chosen)
         self.details.show_view(chosen, others, fixed=self._session.running.running)
-        plan = plan_of(feed, self._session.station)
+        plan = plan_of(feed, self._session.station, self._session.settlings)
         self.turns.show_plan(plan, () if feed is None else feed.sensors)
 
     def _show_actions(self) -> None:

@@ -5,16 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from fruitgui.frame import Frame
 from fruitgui.gui.steps.connect.words import Condition, colour_lock, condition, lost_text, rate_text
 from fruitgui.sensors.feed import Feed, Running, SensorHealth
 from fruitgui.sensors.sensor import SensorInfo
+from fruitgui.sensors.turns import Settling
 from fruitgui.station.connection import ConnectedSensor, Connection
 from fruitgui.station.station import Station
 from fruitgui.station.turn_plan import TurnPlan, rig_of, seen_length_m, turn_plan
-
-USUAL_HZ = 30.0
-"""Of a sensor that does not say how many pictures a second it gives."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,15 +77,13 @@ def _beginning(name: str) -> SensorHealth:
     return SensorHealth(name, Running.STARTING)
 
 
-def plan_of(feed: Feed | None, station: Station | None) -> TurnPlan | None:
+def plan_of(feed: Feed | None, station: Station | None, settlings: Mapping[str, Settling]) -> TurnPlan | None:
     """Return how the projectors of the sensors that run take turns; None where none runs."""
     if feed is None or not feed.infos:
         return None
-    newest: dict[str, Frame | None] = {name: feed.newest(name) for name in feed.infos}
     cameras = {name: info.intrinsics for name, info in feed.infos.items()}
-    seen_m = {name: seen_length_m(camera, newest[name]) for name, camera in cameras.items()}
-    nominal_hz = min(info.rate_hz or USUAL_HZ for info in feed.infos.values())
-    return turn_plan(tuple(feed.infos), nominal_hz, seen_m, rig_of(station, cameras))
+    seen_m = {name: seen_length_m(camera, feed.newest(name)) for name, camera in cameras.items()}
+    return turn_plan(feed.infos, seen_m, rig_of(station, cameras), settlings)
 
 
 def summary(views: tuple[SensorView, ...]) -> tuple[int, int]:

@@ -26,7 +26,7 @@ class TurnPicture(QWidget):
         super().__init__(parent)
         self._theme = theme
         self._sensors: tuple[str, ...] = ()
-        self._schedule = Schedule((), 1.0)
+        self._schedule = Schedule()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         theme.changed.connect(self.update)
 
@@ -64,8 +64,9 @@ class TurnPicture(QWidget):
             text = metrics.elidedText(sensor, Qt.TextElideMode.ElideRight, names - GRID)
             painter.drawText(line, Qt.AlignmentFlag.AlignVCenter, text)
             painter.setPen(Qt.PenStyle.NoPen)
+            always = not self._schedule.alternates(sensor)
             for number in range(count):
-                on = sensor in self._schedule.slots[number % len(self._schedule.slots)]
+                on = always or sensor in self._schedule.slots[number % len(self._schedule.slots)]
                 painter.setBrush(theme.colour("accent" if on else "raised"))
                 painter.drawRoundedRect(QRectF(names + number * step + 1, row * high + 3, step - 2, high - 6), 3, 3)
         painter.end()
@@ -101,26 +102,40 @@ class TurnCard(Card):
         super().changeEvent(event)
 
     def _say_words(self) -> None:
-        self.set_title(self.tr("Projectors take turns"))
         plan = self._plan
         self.setVisible(plan is not None)
         if plan is None:
             return
+        self.set_title(self.tr("Projectors take turns") if plan.takes_turns else self.tr("Projectors"))
+        self.picture.setVisible(plan.takes_turns)
         self.picture.show_schedule(self._sensors, plan.schedule)
-        rate, nominal = number_text(plan.rate_hz, 1), number_text(plan.nominal_hz, 1)
-        speed = f"{number_text(plan.highest_speed_m_s, 2)}{THIN}m/s"
-        self.result.setText(
-            self.tr("{rate} of {nominal} pictures a second each; belt up to {speed}").format(
-                rate=rate, nominal=nominal, speed=speed
-            )
-        )
+        self.result.setText(self._result(plan))
         self.why.setText(self._reason(plan))
 
+    def _result(self, plan: TurnPlan) -> str:
+        low, high = (number_text(limit(plan.rates_hz.values()), 1) for limit in (min, max))
+        speed = f"{number_text(plan.highest_speed_m_s, 2)}{THIN}m/s"
+        if low != high:
+            text = self.tr("{low} to {high} pictures a second; belt up to {speed}")
+        elif plan.takes_turns:
+            text = self.tr("{low} of {nominal} pictures a second each; belt up to {speed}")
+        else:
+            text = self.tr("{low} pictures a second each; belt up to {speed}")
+        nominal = number_text(max(plan.nominal_hz.values()), 1)
+        return text.format(low=low, high=high, nominal=nominal, speed=speed)
+
     def _reason(self, plan: TurnPlan) -> str:
+        if plan.clashes:
+            pairs = "; ".join(" + ".join(pair) for pair in plan.clashes)
+            return self.tr("These blind each other, as a projector of theirs cannot be switched: {pairs}.").format(
+                pairs=pairs
+            )
         if len(self._sensors) == 1:
             return self.tr("One sensor blinds no other; its projector is always on.")
+        if not plan.schedule.lights:
+            return self.tr("The light of these sensors does not disturb the others; none has to wait.")
+        if not plan.takes_turns:
+            return self.tr("No two sensors see the same place; all are on together.")
         if not plan.overlaps_known:
             return self.tr("Until calibration tells which sensors overlap, each is on alone.")
-        if len(plan.schedule.slots) == 1:
-            return self.tr("No two sensors see the same place; all are on together.")
         return self.tr("Sensors that see the same place are never on together.")
