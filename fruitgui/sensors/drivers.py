@@ -18,7 +18,8 @@ class PluggedDevice:
     Attributes:
         make: the word of its driver.
         model: for people, for example `Kinect 1414`.
-        serial: under which it is opened again after it was unplugged.
+        serial: under which it is opened again after it was unplugged; empty where it may not be asked, or where
+            another device has it too: such a device cannot be opened, and its limits say why.
         firmware: as the device says; empty where it does not.
         limits: what this model cannot do, a sentence each.
         bus, address: of the USB device; None where the driver cannot tell.
@@ -62,4 +63,6 @@ def known_drivers() -> tuple[Driver, ...]:
 
     Making them loads no library.
     """
-    return ()
+    from fruitgui.sensors.kinect.driver import KinectDriver
+
+    return (KinectDriver(),)

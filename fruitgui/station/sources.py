@@ -216,7 +216,8 @@ def devices_of(drivers: Drivers) -> Make:
     """Return the make of devices of these drivers: all that are plugged in are one source."""
 
     def find() -> list[Source]:
-        found = tuple(DeviceId(driver.make, one.serial) for driver in drivers() for one in driver.devices())
+        devices = (one for driver in drivers() for one in driver.devices())
+        found = tuple(dict.fromkeys(DeviceId(one.make, one.serial) for one in devices if one.serial))
         return [DevicesSource(found, drivers)] if found else []
 
     def read(value: Mapping[str, Any]) -> Source:

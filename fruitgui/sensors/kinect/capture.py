@@ -1,0 +1,99 @@
+"""Pictures of one open device brought together: counted on, paired, timed, and kept until they are read."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from dataclasses import dataclass
+
+from fruitgui.errors import FruitguiError
+from fruitgui.sensors.kinect.clock import FRAME_TICKS, HostClock, TickCounter
+from fruitgui.sensors.kinect.device import Picture
+from fruitgui.sensors.kinect.packets import Stream
+from fruitgui.sensors.kinect.pairing import ColorPicture, DepthPicture, Pair, Pairing
+
+_KEPT = 4
+"""Captures that wait to be read; the oldest give way, and their numbers are missing."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Capture:
+    """A pair with its number and its time.
+
+    Attributes:
+        pair: depth with its colour.
+        sequence: counts what the device took while its projector was on, from 0.
+        time_s: when depth was taken, by the host's monotonic clock.
+    """
+
+    pair: Pair
+    sequence: int
+    time_s: float
+
+
+class Captures:
+    """What one device took. `hear` and `end` are called by the device's thread, everything else by the reader."""
+
+    def __init__(self) -> None:
+        self._ticks = TickCounter()
+        self._clock = HostClock()
+        self._pairing = Pairing()
+        self._waiting: deque[Capture] = deque(maxlen=_KEPT)
+        self._changed = threading.Condition()
+        self._sequence = -1
+        self._last_ticks: int | None = None
+        self._failure: FruitguiError | None = None
+
+    def hear(self, stream: Stream, picture: Picture) -> None:
+        """Take in a picture."""
+        ticks = self._ticks.count(picture.stamp, picture.arrived_s)
+        with self._changed:
+            if stream is Stream.DEPTH:
+                depth = DepthPicture(ticks, picture.arrived_s, picture.pixels, picture.whole)  # type: ignore[arg-type]
+                pairs = self._pairing.add_depth(depth)
+            else:
+                pairs = self._pairing.add_color(ColorPicture(ticks, picture.pixels, picture.whole))  # type: ignore[arg-type]
+            self._waiting.extend(self._captured(pair) for pair in pairs)
+            self._changed.notify_all()
+
+    def begin_anew(self) -> None:
+        """Let go of what waits; what comes next is numbered on without a gap, as after the projector was off."""
+        with self._changed:
+            self._pairing.clear()
+            self._waiting.clear()
+            self._last_ticks = None
+
+    def end(self, failure: FruitguiError | None) -> None:
+        """Note that nothing comes any more."""
+        with self._changed:
+            self._failure = failure
+            self._changed.notify_all()
+
+    def next(self, timeout_s: float) -> Capture | None:
+        """Return the next capture; None where none comes in time.
+
+        Raises:
+            FruitguiError: none will come.
+        """
+        until_s = time.monotonic() + timeout_s
+        with self._changed:
+            while not self._waiting:
+                if self._failure is not None:
+                    raise self._failure
+                left_s = until_s - time.monotonic()
+                if left_s <= 0.0:
+                    return None
+                self._changed.wait(left_s)
+            return self._waiting.popleft()
+
+    def _captured(self, pair: Pair) -> Capture:
+        ticks = pair.depth.ticks
+        steps = 1 if self._last_ticks is None else round((ticks - self._last_ticks) / FRAME_TICKS)
+        self._sequence += min(max(steps, 1), _MOST_STEPS)
+        self._last_ticks = ticks
+        return Capture(pair, self._sequence, self._clock.time_s(ticks, pair.depth.arrived_s))
+
+
+_MOST_STEPS = 10 * 30
+"""More than ten seconds of pictures are not missing: the device's clock jumped."""

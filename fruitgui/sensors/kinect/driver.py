@@ -1,0 +1,83 @@
+"""Kinects that are plugged in, found and made into sensors."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+
+from fruitgui.errors import FruitguiError, WorldError
+from fruitgui.sensors.drivers import PluggedDevice
+from fruitgui.sensors.kinect import library
+from fruitgui.sensors.kinect.bus import Bus, Camera, told_apart
+from fruitgui.sensors.kinect.device import Device, Hear
+from fruitgui.sensors.kinect.sensor import KinectSensor
+
+MAKE = "kinect"
+
+_LOOK_S = 0.5
+"""Who asks what is plugged in waits no longer; on a bus that is slow to answer, they hear what was found before."""
+
+_NOT_ALLOWED = "This user may not open it: install the USB rules (fruitgui sensors --install-udev-rules)."
+_NOT_TOLD_APART = "It cannot be told apart from another one that has the same serial: plug in only one of them."
+
+
+class KinectDriver:
+    """The driver of Kinects v1. Loads its libraries when it is first asked for something."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._bus: Bus | None = None
+        self._looking: threading.Thread | None = None
+        self._found: tuple[PluggedDevice, ...] = ()
+
+    @property
+    def make(self) -> str:
+        """`kinect`."""
+        return MAKE
+
+    def problem(self) -> WorldError | None:
+        """Return which library is missing; None where none is."""
+        try:
+            library.libusb()
+            library.libfreenect()
+        except WorldError as error:
+            return error
+        return None
+
+    def devices(self) -> Sequence[PluggedDevice]:
+        """Return the Kinects that are plugged in, used or not; never raises, never waits long."""
+        with self._lock:
+            if self._looking is None or not self._looking.is_alive():
+                self._looking = threading.Thread(target=self._look, name="kinects plugged in", daemon=True)
+                self._looking.start()
+            looking = self._looking
+        looking.join(_LOOK_S)
+        return self._found
+
+    def sensor(self, serial: str) -> KinectSensor:
+        """Return the sensor of a serial, which need not be plugged in."""
+
+        def device(hear: Hear) -> Device:
+            return Device(library.libfreenect(), Bus(library.libusb()), serial, hear)
+
+        return KinectSensor(serial, device)
+
+    def _look(self) -> None:
+        """Ask the bus; one thread does so at a time."""
+        try:
+            if self._bus is None:
+                bus = Bus(library.libusb())
+                bus.open()
+                self._bus = bus
+            cameras = self._bus.cameras()
+        except FruitguiError:
+            cameras = []
+        known = told_apart(cameras)
+        self._found = tuple(_plugged(camera, camera in known) for camera in cameras)
+
+
+def _plugged(camera: Camera, known: bool) -> PluggedDevice:
+    hindrance = () if known else (_NOT_TOLD_APART if camera.serial else _NOT_ALLOWED,)
+    firmware = f"{camera.release >> 8:x}.{camera.release & 0xFF:02x}"
+    serial = camera.serial if known else ""
+    return PluggedDevice(MAKE, camera.model.name, serial, firmware, (*camera.model.limits, *hindrance), camera.bus)

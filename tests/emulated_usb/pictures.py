@@ -1,0 +1,29 @@
+"""Pictures to push through an emulated Kinect."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from fruitgui.frame import U8, U16
+
+SHAPE = (480, 640)
+
+
+def noise(seed: int) -> U16:
+    """Return raw depth of all 2048 values at random."""
+    return np.random.default_rng(seed).integers(0, 2048, SHAPE, dtype=np.uint16)
+
+
+def level(raw: int) -> U16:
+    """Return raw depth that is the same everywhere; 700 is 0.86 m."""
+    return np.full(SHAPE, raw, dtype=np.uint16)
+
+
+def color_noise(seed: int) -> U8:
+    """Return colour's raw pixels at random."""
+    return np.random.default_rng(seed).integers(0, 256, SHAPE, dtype=np.uint8)
+
+
+def grey(value: int) -> U8:
+    """Return colour's raw pixels, all the same."""
+    return np.full(SHAPE, value, dtype=np.uint8)
