@@ -23,7 +23,9 @@ pace or flat out, with faults by a script:
 
 A command of fruitgui runs among emulated Kinects that stream with
 
-    python -m tests.emulated_usb '{"kinects": [{"serial": "A1"}, {"serial": "B2"}]}' sensors --json
+    LD_PRELOAD=$(python -m tests.emulated_usb.outside) \\
+        python -m tests.emulated_usb '{"kinects": [{"serial": "A1"}, {"serial": "B2"}]}' sensors --json
 
-or, from a test, `run_command(script, "sensors", "--json")` (`outside.py`).
+or, from a test, `run_command(script, "sensors", "--json")`, or `Command(script, …)` with faults on command
+(`outside.py`).
 """

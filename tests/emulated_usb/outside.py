@@ -1,4 +1,4 @@
-"""Starts processes whose USB bus is emulated."""
+"""Starts processes whose USB bus is emulated; as a program it prints the stand-in's path."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -57,19 +57,41 @@ def inside(test: Inside) -> Callable[[Path], None]:
     return outside
 
 
-def start_command(script: dict[str, Any], *arguments: str, **options: Any) -> subprocess.Popen[str]:  # noqa: ANN401
-    """Start a command of fruitgui among emulated Kinects; options are those of `subprocess.Popen`."""
-    command = [sys.executable, "-m", "tests.emulated_usb", json.dumps(script), *arguments]
-    streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "env": environment()}
-    return subprocess.Popen(command, **{**streams, **options})
+class Command:
+    """A command of fruitgui that runs among emulated Kinects; what it writes is taken in at its end.
 
+    Args:
+        script: see `python -m tests.emulated_usb`.
+        arguments: of fruitgui.
+    """
 
-def run_command(script: dict[str, Any], *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run a command of fruitgui among emulated Kinects to its end."""
-    with start_command(script, *arguments) as process:
+    def __init__(self, script: Mapping[str, Any], *arguments: str) -> None:
+        hears, self._says = os.pipe()
+        command = [sys.executable, "-m", "tests.emulated_usb", json.dumps({**script, "control_fd": hears}), *arguments]
+        self.process = subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            env=environment(), pass_fds=(hears,), start_new_session=True,
+        )  # fmt: skip
+        os.close(hears)
+
+    def happen(self, what: str, kinect: int = 0, value: float = 1.0) -> None:
+        """Let a fault happen now."""
+        os.write(self._says, json.dumps({"what": what, "kinect": kinect, "value": value}).encode() + b"\n")
+
+    def end(self) -> subprocess.CompletedProcess[str]:
+        """Wait for its end; return what it wrote."""
         try:
-            out, err = process.communicate(timeout=LONGEST_S)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            raise
-    return subprocess.CompletedProcess(process.args, process.returncode, out, err)
+            out, err = self.process.communicate(timeout=LONGEST_S)
+        finally:
+            self.process.kill()
+            os.close(self._says)
+        return subprocess.CompletedProcess(self.process.args, self.process.returncode, out, err)
+
+
+def run_command(script: Mapping[str, Any], *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run a command of fruitgui among emulated Kinects to its end."""
+    return Command(script, *arguments).end()
+
+
+if __name__ == "__main__":
+    print(built())  # noqa: T201 - for LD_PRELOAD

@@ -27,3 +27,12 @@ def color_noise(seed: int) -> U8:
 def grey(value: int) -> U8:
     """Return colour's raw pixels, all the same."""
     return np.full(SHAPE, value, dtype=np.uint8)
+
+
+def belt(count: int) -> tuple[U16, U8]:
+    """Return raw depth and colour of a level belt at 0.9 m with a box on it that moves on from picture to picture."""
+    raw, bayer = level(706), grey(90)
+    left = 40 + 8 * count % 480
+    raw[200:280, left : left + 80] = 670
+    bayer[200:280, left : left + 80] = 180
+    return raw, bayer

@@ -81,10 +81,18 @@ class Device:
         bus: not open; closed with the device.
         serial: of the device.
         hear: is called for each picture, in the thread that calls `pump`; its pixels are its own.
+        now_s: the host's clock.
     """
 
-    def __init__(self, freenect: lib.Library, bus: CameraBus, serial: str, hear: Hear) -> None:
-        self._freenect, self._bus, self._serial, self._hear = freenect, bus, serial, hear
+    def __init__(
+        self,
+        freenect: lib.Library,
+        bus: CameraBus,
+        serial: str,
+        hear: Hear,
+        now_s: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._freenect, self._bus, self._serial, self._hear, self._now_s = freenect, bus, serial, hear, now_s
         self._context, self._device = ctypes.c_void_p(), ctypes.c_void_p()
         self._log = PacketLog()
         self._failures = 0
@@ -210,4 +218,4 @@ class Device:
     def _take(self, stream: Stream, data: int, stamp: int) -> None:
         held = (_DEPTH_BUFFER if stream is Stream.DEPTH else _COLOR_BUFFER).from_address(data)
         pixels = np.ctypeslib.as_array(held).copy()
-        self._hear(stream, Picture(stamp, time.monotonic(), pixels, self._log.is_whole(stream)))
+        self._hear(stream, Picture(stamp, self._now_s(), pixels, self._log.is_whole(stream)))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+import time
+from collections.abc import Callable, Sequence
 
 from fruitgui.errors import FruitguiError, WorldError
 from fruitgui.sensors.drivers import PluggedDevice
@@ -22,9 +23,14 @@ _NOT_TOLD_APART = "It cannot be told apart from another one that has the same se
 
 
 class KinectDriver:
-    """The driver of Kinects v1. Loads its libraries when it is first asked for something."""
+    """The driver of Kinects v1. Loads its libraries when it is first asked for something.
 
-    def __init__(self) -> None:
+    Args:
+        now_s: the host's clock, in which frames have their times.
+    """
+
+    def __init__(self, now_s: Callable[[], float] = time.monotonic) -> None:
+        self._now_s = now_s
         self._lock = threading.Lock()
         self._bus: Bus | None = None
         self._looking: threading.Thread | None = None
@@ -58,7 +64,7 @@ class KinectDriver:
         """Return the sensor of a serial, which need not be plugged in."""
 
         def device(hear: Hear) -> Device:
-            return Device(library.libfreenect(), Bus(library.libusb()), serial, hear)
+            return Device(library.libfreenect(), Bus(library.libusb()), serial, hear, self._now_s)
 
         return KinectSensor(serial, device)
 

@@ -1,0 +1,102 @@
+"""Emulated Kinects that stream by themselves, through the feed: as on a packing floor, with what happens there."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from fruitgui.sensors.feed import Feed, Running
+from fruitgui.sensors.kinect.driver import KinectDriver
+from fruitgui.station.sources import DevicesSource, devices_of
+from tests.emulated_usb.emulation import Emulation, Hang, Kinect
+from tests.emulated_usb.outside import inside, run_command
+from tests.emulated_usb.player import Fault, Player
+
+
+def until(true: Callable[[], bool], within_s: float = 40.0) -> None:
+    end_s = time.monotonic() + within_s
+    while not true():
+        assert time.monotonic() < end_s, "it did not happen in time"
+        time.sleep(0.01)
+
+
+@inside
+def test_what_is_plugged_in_is_found_connected_and_runs(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"))
+    driver = KinectDriver()
+    (source,) = devices_of(lambda: [driver]).find()
+    assert source.name == "2 kinect"
+    feed = Feed(source.connect().sensors)
+    assert feed.sensors == ("kinect_1", "kinect_2")
+    with Player(usb):
+        feed.start()
+        until(lambda: all(feed.health(name).frames > 40 for name in feed.sensors))
+        assert all(feed.health(name).state is Running.RUNNING for name in feed.sensors)
+        assert feed.stop() == ()
+
+
+@inside
+def test_the_clocks_of_all_sensors_are_the_host_s(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"))
+    driver = KinectDriver()
+    sensors = [driver.sensor(serial) for serial in ("A1", "B2")]
+    for sensor in sensors:
+        sensor.open()
+    with Player(usb, seed=3):
+        for sensor in sensors:
+            sensor.start()
+        apart_s = []
+        for _ in range(40):
+            first, second = (sensor.read(20.0) for sensor in sensors)
+            steps = (first.time_s - second.time_s) * 30.0
+            apart_s.append(abs(steps - round(steps)) / 30.0)
+        # both devices took their pictures at the same moments, by clocks that began anywhere
+        assert sorted(apart_s)[len(apart_s) // 2] < 0.01
+        for sensor in sensors:
+            sensor.stop()
+            sensor.close()
+
+
+@inside
+def test_one_that_is_unplugged_comes_back_by_itself(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"))
+    driver = KinectDriver()
+    source = DevicesSource(tuple(devices_of(lambda: [driver]).find()[0].devices), lambda: [driver])  # type: ignore[attr-defined]
+    feed = Feed(source.connect().sensors)
+    with Player(usb) as player:
+        feed.start()
+        until(lambda: all(feed.health(name).frames > 5 for name in feed.sensors))
+        player.do(Fault(0.0, "unplug", 1))
+        until(lambda: feed.health("kinect_2").state is Running.FAILED)
+        error = feed.health("kinect_2").error
+        assert error is not None
+        assert error.code == "sensor_gone"
+        frames = feed.health("kinect_1").frames
+        until(lambda: feed.health("kinect_1").frames > frames + 10)
+        frames = feed.health("kinect_2").frames
+        player.do(Fault(0.0, "plug_in", 1))
+        until(lambda: feed.health("kinect_2").frames > frames + 10)
+        assert feed.health("kinect_1").reopened == 0
+        assert feed.stop() == ()
+
+
+@inside
+def test_a_feed_whose_sensor_hangs_stops_and_names_it(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"))
+    driver = KinectDriver()
+    feed = Feed([driver.sensor("A1"), driver.sensor("B2")])
+    with Player(usb) as player:
+        feed.start()
+        until(lambda: all(feed.health(name).frames > 5 for name in feed.sensors))
+        player.do(Fault(0.0, "hang", 0, Hang.EVENTS))
+        until(lambda: feed.health("kinect_A1").state is Running.SILENT)
+        left = feed.stop()
+        assert set(left) <= {"kinect_A1"}
+        player.do(Fault(0.0, "unplug", 0))
+
+
+def test_a_command_runs_among_kinects_that_stream() -> None:
+    done = run_command({"kinects": [{"serial": "A1"}]}, "--version")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("fruitgui ")
