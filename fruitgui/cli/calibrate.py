@@ -17,6 +17,9 @@ def add(commands: Commands) -> None:
     command.add_argument("recording", type=Path, help="a recording of a still scene with fruit on the belt")
     command.add_argument("--station", type=Path, required=True, metavar="OUT.json", help="the station file to write")
     command.add_argument("--reference", metavar="S", help="the sensor whose frame of reference is used")
+    command.add_argument(
+        "--depths", type=Path, metavar="D.json", help="depth corrections of the devices, as a line's folder keeps them"
+    )
     add_recording_options(command)
     add_json(command)
     command.set_defaults(run=run)
@@ -25,9 +28,14 @@ def add(commands: Commands) -> None:
 def run(options: argparse.Namespace, console: Console) -> int:
     """Calibrate; 0 with a station written, or 3 with the reasons and no file."""
     from fruitgui.station.calibrate_job import calibrate_recording
+    from fruitgui.station.depths import DeviceDepths
+    from fruitgui.station.written import read_written
 
     out = check_output(options.station, [options.recording])
-    outcome = calibrate_recording(source(options, options.recording), options.reference, out, console.progress)
+    depths = None if options.depths is None else read_written(options.depths, DeviceDepths)
+    outcome = calibrate_recording(
+        source(options, options.recording), options.reference, out, console.progress, depths=depths
+    )
     console.warn(outcome.warnings)
     console.result(outcome.value(out))
     for line in outcome.lines(out):

@@ -21,6 +21,7 @@ from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.store import open_store
 from fruitgui.sensors.turns import Settling
 from fruitgui.station.connection import Connection
+from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.facts import facts_of
 from fruitgui.station.kept_file import Damage, Kept, KeptFile
 from fruitgui.station.model import Model
@@ -85,6 +86,7 @@ class Session(QObject):
         self._marks = self._taken(workspace.marks.load()) or Marks()
         self.connected.changed.connect(self._arrange_turns)
         self.station_changed.connect(self._arrange_turns)
+        self._depths = self._taken(workspace.depths.load()) or DeviceDepths()
         self.connected.changed.connect(self.states_changed)
         self.running.changed.connect(self._lots_changed)
         self.source.opened.connect(self._keep_connection)
@@ -124,6 +126,11 @@ class Session(QObject):
     def marks(self) -> Marks:
         """Which step was done with what."""
         return self._marks
+
+    @property
+    def depths(self) -> DeviceDepths:
+        """What was measured of the devices' depth."""
+        return self._depths
 
     def close(self) -> bool:
         """End whatever runs, and let go of the files; an open lot stays open. Tell whether all ended in time."""
@@ -170,6 +177,8 @@ class Session(QObject):
                 self._marks = files.marks.restore()
             elif damage.file == files.projectors.path:
                 self._projectors = files.projectors.restore()
+            elif damage.file == files.depths.path:
+                self._depths = files.depths.restore()
         except FruitguiError as error:
             self.messages.error(error)
             return
@@ -197,6 +206,13 @@ class Session(QObject):
         """Keep which step was done with what."""
         if self._saved(self.workspace.marks, marks):
             self._marks = marks
+            self.states_changed.emit()
+
+    def save_depths(self, depths: DeviceDepths) -> None:
+        """Keep what was measured of the devices' depth; a station that was made otherwise is to be made again."""
+        if self._saved(self.workspace.depths, depths):
+            self._depths = depths
+            self.connection_changed.emit()
             self.states_changed.emit()
 
     def note_taught(self, taught: TaughtFacts | None) -> None:
@@ -244,6 +260,7 @@ class Session(QObject):
             lots=self._lots,
             moved=self.running.moved,
             running=self.running.running,
+            depths=self._depths,
         )
 
     def states(self) -> dict[Step, StepState]:

@@ -70,6 +70,11 @@ def _reference_changed(data: Mapping[str, Any]) -> str:
     return text.format(sensor=data["reference"])
 
 
+def _depth_changed(data: Mapping[str, Any]) -> str:
+    text = QCoreApplication.translate("Steps", "Depth is corrected otherwise since: {sensors}. Calibrate again.")
+    return text.format(sensors=", ".join(data["sensors"]))
+
+
 def _few_samples(data: Mapping[str, Any]) -> str:
     each = ", ".join(f"{kind} ({samples}, {fruit})" for kind, (samples, fruit) in data["kinds"].items())
     text = QCoreApplication.translate("Steps", "More is to be taught (samples, pieces of fruit): {kinds}.")
@@ -92,6 +97,7 @@ _SENTENCES: Mapping[str, Callable[[Mapping[str, Any]], str]] = {
     "sensors_missing": _sensors_missing,
     "sensors_changed": _sensors_changed,
     "reference_changed": _reference_changed,
+    "depth_changed": _depth_changed,
     "rig_moved": lambda _: QCoreApplication.translate("Steps", "A sensor was moved; calibrate again."),
     "calibrated_since": lambda _: QCoreApplication.translate("Steps", "The sensors were calibrated again since."),
     "few_samples": _few_samples,

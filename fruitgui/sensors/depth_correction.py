@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
-from fruitgui.frame import F32, U16, Intrinsics
+from fruitgui.frame import F32, U16, Frame, Intrinsics
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +40,12 @@ class DepthCorrection:
             return _table(self)[depth_mm]
         corrected = depth_mm.astype(np.float32) * _scales(self, intrinsics) + np.float32(self.offset_m * 1e3)
         return _whole_mm(corrected, depth_mm)
+
+    def corrected(self, frame: Frame) -> Frame:
+        """Return a device's own frame with its depth put right."""
+        if self.is_none:
+            return frame
+        return replace(frame, depth_mm=self.apply(frame.depth_mm, frame.intrinsics))
 
 
 @lru_cache(maxsize=32)

@@ -52,7 +52,7 @@ def measure_belt(
             arrival = queue.take(TAKE_S)
             if arrival is None or arrival.frame.sensor not in perceivers:
                 continue
-            perceiver, frame = perceivers[arrival.frame.sensor], arrival.frame
+            perceiver, frame = perceivers[arrival.frame.sensor], lineup.corrected(arrival.frame)
             seen.append(perceiver.observe(replace(frame, sensor=perceiver.sensor), order.time_s(arrival)))
             seen = [one for one in seen if one.time_s > seen[-1].time_s - LOOK_BACK_S]
             progress(1.0 - left_s / longest_s, f"{sum(len(one.views) for one in seen)} views of passing fruit")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -13,8 +13,11 @@ from fruitgui.calibration.result import Calibration, PairQuality, Reason, Refusa
 from fruitgui.errors import InputError
 from fruitgui.frame import Frame
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+from fruitgui.sensors.depth_correction import DepthCorrection
 from fruitgui.sensors.recordings import Recording
+from fruitgui.station.depths import DeviceDepths, corrections_of
 from fruitgui.station.lineup import unheard
+from fruitgui.station.matching import same_sensor
 from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.station_file import write_station
@@ -90,8 +93,9 @@ def calibrate_recording(
     out: Path,
     progress: Progress = no_progress,
     cancelled: Cancelled = never_cancelled,
+    depths: DeviceDepths | None = None,
 ) -> CalibrationOutcome:
-    """Calibrate and, where accepted, write the station.
+    """Calibrate and, where accepted, write the station; `depths` is what is known of the devices' depth.
 
     Raises:
         InputError: the recording cannot be used, or has no sensor of the reference's name.
@@ -100,14 +104,17 @@ def calibrate_recording(
     recording = source.open()
     check_reference(recording, reference, source.path)
     mistaken = unheard(source.clock_offsets_s, recording.sensors)
-    stills = read_stills(recording, progress, cancelled)
     serials = {name: info.serial for name, info in recording.sensors.items()}
+    corrections = corrections_of(serials, depths, None)
+    stills = read_stills(recording, progress, cancelled, corrections)
     outcome = calibrate_stills(
         stills, reference, serials, source.clock_offsets_s,
         lambda share, doing: progress(0.3 + 0.7 * share, doing), cancelled,
     )  # fmt: skip
     if outcome.station is not None:
-        write_station(out, outcome.station)
+        station = with_corrections(outcome.station, corrections)
+        write_station(out, station)
+        outcome = replace(outcome, station=station)
     return replace(outcome, warnings=(*recording.warnings, *outcome.warnings, *mistaken))
 
 
@@ -143,34 +150,53 @@ def calibrate_again(
     reference: str | None,
     serials: Mapping[str, str],
     before: Station | None,
+    depths: DeviceDepths | None = None,
     progress: Progress = no_progress,
     cancelled: Cancelled = never_cancelled,
 ) -> CalibrationOutcome:
-    """Calibrate from raw frames of sensors that run; what the station before knows of each device is kept.
+    """Calibrate from raw frames of sensors that run; what is known of each device, by its serial, is kept.
 
     That is its depth correction, which is applied to the frames first, its clock, and the station's model. Region and
     velocity of the belt are not kept: they go with the poses.
 
+    Args:
+        stills, reference, serials: as `calibrate_stills`.
+        before: the station until now.
+        depths: what was measured of the devices; it wins over the station before.
+        progress, cancelled: as for any job.
+
     Raises:
         InputError, CancelledByUserError: as `calibrate_stills`.
     """
-    known = {} if before is None else before.sensors
-    corrected = {name: [_corrected(frame, known.get(name)) for frame in frames] for name, frames in stills.items()}
-    offsets_s = {name: known[name].clock_offset_s for name in stills if name in known}
+    corrections = corrections_of({name: serials.get(name, "") for name in stills}, depths, before)
+    offsets_s = _clock_offsets_s(stills, serials, before)
+    corrected = corrected_stills(stills, corrections)
     outcome = calibrate_stills(corrected, reference, serials, offsets_s, progress, cancelled)
-    if outcome.station is None or before is None:
+    if outcome.station is None:
         return outcome
-    sensors = {
-        name: replace(one, depth_correction=known[name].depth_correction) if name in known else one
-        for name, one in outcome.station.sensors.items()
-    }
-    return replace(outcome, station=replace(outcome.station, sensors=sensors, model=before.model))
+    station = with_corrections(outcome.station, corrections)
+    return replace(outcome, station=station if before is None else with_model(station, before.model))
 
 
-def _corrected(frame: Frame, known: StationSensor | None) -> Frame:
-    if known is None or known.depth_correction is None:
-        return frame
-    return replace(frame, depth_mm=known.depth_correction.apply(frame.depth_mm, frame.intrinsics))
+def _clock_offsets_s(names: Iterable[str], serials: Mapping[str, str], before: Station | None) -> dict[str, float]:
+    if before is None:
+        return {}
+    same = {name: same_sensor(before, name, serials.get(name, "")) for name in names}
+    return {name: before.sensors[known].clock_offset_s for name, known in same.items() if known is not None}
+
+
+def corrected_stills(
+    stills: Mapping[str, Sequence[Frame]], corrections: Mapping[str, DepthCorrection]
+) -> dict[str, list[Frame]]:
+    """Return raw frames with depth put right."""
+    none = DepthCorrection()
+    return {name: [corrections.get(name, none).corrected(frame) for frame in some] for name, some in stills.items()}
+
+
+def with_corrections(station: Station, corrections: Mapping[str, DepthCorrection]) -> Station:
+    """Return a station that was made of frames corrected so."""
+    sensors = {name: replace(one, depth_correction=corrections.get(name)) for name, one in station.sensors.items()}
+    return replace(station, sensors=sensors)
 
 
 def check_reference(recording: Recording, reference: str | None, path: Path) -> None:
@@ -186,11 +212,14 @@ def check_reference(recording: Recording, reference: str | None, path: Path) -> 
 
 
 def read_stills(
-    recording: Recording, progress: Progress = no_progress, cancelled: Cancelled = never_cancelled
+    recording: Recording,
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+    corrections: Mapping[str, DepthCorrection] | None = None,
 ) -> dict[str, list[Frame]]:
-    """Return up to `FRAMES_PER_SENSOR` frames of each sensor, spread over the whole recording."""
+    """Return up to `FRAMES_PER_SENSOR` frames of each sensor, spread over the whole recording, depth put right."""
     kept = {name: Thinned[Frame](FRAMES_PER_SENSOR) for name in recording.sensors}
-    for count, (_, frame) in enumerate(recording.frames()):
+    for count, (_, frame) in enumerate(recording.frames(corrections=corrections)):
         stop_if(cancelled)
         kept[frame.sensor].add(frame)
         if count % 20 == 0:
@@ -219,6 +248,6 @@ def _links(sensor: str, pairs: Sequence[PairQuality]) -> dict[str, dict[str, Any
     return {next(one for one in pair.sensors if one != sensor): quality_value(pair) for pair in mine}
 
 
-def with_model(station: Station, model: str) -> Station:
+def with_model(station: Station, model: str | None) -> Station:
     """Return the station with the name of its model's file."""
     return replace(station, model=model)

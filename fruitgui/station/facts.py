@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from fruitgui.station.connection import Connection
+from fruitgui.station.depths import DeviceDepths, outdated
 from fruitgui.station.fingerprint import calibration_fingerprint
 from fruitgui.station.station import Station
 from fruitgui.station.workflow import CalibrationFacts, Facts, ModelFacts, TaughtFacts
@@ -21,6 +22,7 @@ def facts_of(
     lots: int = 0,
     moved: bool = False,
     running: bool = False,
+    depths: DeviceDepths | None = None,
 ) -> Facts:
     """Return the facts.
 
@@ -31,6 +33,7 @@ def facts_of(
         lots: how many were run.
         moved: the watch said that the rig was bumped since it was calibrated.
         running: the line runs now.
+        depths: what was measured of the devices' depth.
     """
     marks = marks or Marks()
     serials = None if connection is None else connection.serials()
@@ -39,7 +42,7 @@ def facts_of(
         sensors=serials,
         reference=None if connection is None else connection.reference_name,
         missing=missing,
-        calibration=None if station is None else _calibration(station, moved),
+        calibration=None if station is None else _calibration(station, moved, depths),
         belt_calibration=marks.belt_calibration,
         taught=taught,
         model=None if station is None or station.model is None else _model(marks.models.get(station.model)),
@@ -48,9 +51,11 @@ def facts_of(
     )
 
 
-def _calibration(station: Station, moved: bool) -> CalibrationFacts:
+def _calibration(station: Station, moved: bool, depths: DeviceDepths | None) -> CalibrationFacts:
     serials = {name: sensor.serial for name, sensor in station.sensors.items()}
-    return CalibrationFacts(calibration_fingerprint(station), serials, station.reference, moved)
+    return CalibrationFacts(
+        calibration_fingerprint(station), serials, station.reference, moved, outdated(depths, station)
+    )
 
 
 def _model(mark: ModelMark | None) -> ModelFacts:

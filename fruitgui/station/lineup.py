@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from fruitgui.frame import Frame
 from fruitgui.geometry.rig import Rig
 from fruitgui.perception.settings import PerceptionSettings
 from fruitgui.sensors.depth_correction import DepthCorrection
@@ -36,6 +37,11 @@ class Lineup:
     eyes: Mapping[str, Eye]
     rig: Rig
     warnings: tuple[str, ...]
+
+    def corrected(self, frame: Frame) -> Frame:
+        """Return a device's own frame with its depth put right; once, where frames are read."""
+        correction = self.corrections.get(frame.sensor)
+        return frame if correction is None else correction.corrected(frame)
 
 
 def limits_of(station: Station) -> PerceptionSettings:

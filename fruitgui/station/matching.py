@@ -30,7 +30,9 @@ def match_sensors(station: Station, sensors: Iterable[SensorInfo]) -> Matching:
         InputError: the recording and the station have no sensor in common.
     """
     present = tuple(sensors)
-    found = {info.sensor: name for info in present if (name := _station_id(station, info)) is not None}
+    found = {
+        info.sensor: name for info in present if (name := same_sensor(station, info.sensor, info.serial)) is not None
+    }
     if not found:
         raise InputError(
             "no_sensor_in_common",
@@ -51,15 +53,16 @@ def match_sensors(station: Station, sensors: Iterable[SensorInfo]) -> Matching:
     return Matching(found, (*lacking, *silent))
 
 
-def _station_id(station: Station, info: SensorInfo) -> str | None:
-    if info.serial:
-        for name, sensor in station.sensors.items():
-            if sensor.serial == info.serial:
-                return name
-    named = station.sensors.get(info.sensor)
-    if named is None or (named.serial and info.serial):
+def same_sensor(station: Station, name: str, serial: str) -> str | None:
+    """Return the station's name of a sensor; None where it has none that is the same device."""
+    if serial:
+        for known, sensor in station.sensors.items():
+            if sensor.serial == serial:
+                return known
+    named = station.sensors.get(name)
+    if named is None or (named.serial and serial):
         return None  # absent, or another device under the same name
-    return info.sensor
+    return name
 
 
 def _names(names: Iterable[str]) -> str:

@@ -39,8 +39,9 @@ class Why:
     """A reason or a remark: a stable word for the screen to put into a sentence, with its data.
 
     Codes: `waits_for` (step), `sensors_missing` (sensors), `sensors_changed` (added, removed, exchanged),
-    `reference_changed` (reference), `rig_moved`, `calibrated_since`, `few_samples` (kinds: name to (samples, fruit)),
-    `few_kinds` (kinds), `kinds_changed` (added, removed), `earlier_calibration`, `taught_since`, `no_model`, `running`.
+    `reference_changed` (reference), `depth_changed` (sensors), `rig_moved`, `calibrated_since`, `few_samples` (kinds:
+    name to (samples, fruit)), `few_kinds` (kinds), `kinds_changed` (added, removed), `earlier_calibration`,
+    `taught_since`, `no_model`, `running`.
     """
 
     code: str
@@ -66,13 +67,15 @@ class StepState:
 class CalibrationFacts:
     """A calibration that exists: its fingerprint, its sensors (name to serial), its reference, and whether it holds.
 
-    `moved`: the watch over the rig said that it was bumped.
+    `moved`: the watch over the rig said that it was bumped. `depth_changed`: sensors whose depth is corrected otherwise
+    since.
     """
 
     fingerprint: str
     sensors: Mapping[str, str]
     reference: str
     moved: bool = False
+    depth_changed: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,6 +163,8 @@ def _calibrate(facts: Facts, _states: States) -> StepState:
         return StepState(State.REDO, changed)
     if facts.reference is not None and facts.reference != made.reference:
         return _redo("reference_changed", reference=facts.reference)
+    if made.depth_changed:
+        return _redo("depth_changed", sensors=made.depth_changed)
     return _redo("rig_moved") if made.moved else DONE
 
 

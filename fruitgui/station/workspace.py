@@ -10,6 +10,7 @@ from typing import TypeVar
 
 from fruitgui.errors import InputError, WorldError
 from fruitgui.station.connection import Connection
+from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.judging import FEATURES
 from fruitgui.station.kept_file import Damage, Kept, KeptFile, set_aside
 from fruitgui.station.model import Model, read_model, write_model
@@ -44,7 +45,7 @@ class Workspace:
 
     Attributes:
         folder: where everything lies.
-        settings, connection, station, projectors, marks: its small files.
+        settings, connection, station, projectors, marks, depths: its small files.
         records_path, pictures_path: the databases, which the records room makes.
     """
 
@@ -54,6 +55,7 @@ class Workspace:
         self.connection = _written(folder / "connection.json", Connection)
         self.projectors = _written(folder / "projectors.json", Projectors)
         self.marks = _written(folder / "steps.json", Marks)
+        self.depths = _written(folder / "depths.json", DeviceDepths)
         self.station: KeptFile[Station] = KeptFile(folder / "station.json", read_station, write_station)
         self.records_path = folder / "records.sqlite"
         self.pictures_path = folder / "pictures.sqlite"

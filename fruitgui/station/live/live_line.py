@@ -185,10 +185,7 @@ class LiveLine:
         self._perceived.put(None)
 
     def _perceive(self, arrival: Arrival) -> _Perceived:
-        frame = arrival.frame
-        correction = self._lineup.corrections.get(frame.sensor)
-        if correction is not None:
-            frame = replace(frame, depth_mm=correction.apply(frame.depth_mm, frame.intrinsics))
+        frame = self._lineup.corrected(arrival.frame)
         self._watch_clock(arrival)
         look = Look(frame, self._order.time_s(arrival))
         answer = self._bench.ask(look)

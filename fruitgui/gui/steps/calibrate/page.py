@@ -240,7 +240,7 @@ class CalibratePage(StepPage):
         feed, connection = self._session.connected.feed, self._session.connection
         if feed is None or connection is None or self._task is not None:
             return
-        job = calibrating(feed, connection.reference_name, self._session.station)
+        job = calibrating(feed, connection.reference_name, self._session.station, self._session.depths)
         self._task = self._session.tasks.run(self.tr("Calibrating"), job)
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self._session.messages.error)

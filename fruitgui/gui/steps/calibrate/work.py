@@ -8,7 +8,8 @@ from fruitgui.gui.steps.calibrate.core_words import worded
 from fruitgui.gui.tasks import Job
 from fruitgui.progress import Cancelled, Progress, stop_if
 from fruitgui.sensors.feed import Feed
-from fruitgui.station.calibrate_job import CalibrationOutcome, calibrate_again
+from fruitgui.station.calibrate_job import CalibrationOutcome, calibrate_again, corrected_stills
+from fruitgui.station.depths import DeviceDepths, corrections_of
 from fruitgui.station.fused_cloud import SensorCloud, fused_clouds
 from fruitgui.station.station import Station
 from fruitgui.station.stills import collect_stills
@@ -27,8 +28,10 @@ class Calibrated:
     clouds: tuple[SensorCloud, ...]
 
 
-def calibrating(feed: Feed, reference: str, before: Station | None) -> Job[Calibrated]:
-    """Return the job of calibrating the sensors of a feed."""
+def calibrating(
+    feed: Feed, reference: str, before: Station | None, depths: DeviceDepths | None = None
+) -> Job[Calibrated]:
+    """Return the job of calibrating the sensors of a feed, their depth put right by what was measured of them."""
     serials = {name: info.serial for name, info in feed.infos.items()}
 
     def job(progress: Progress, cancelled: Cancelled) -> Calibrated:
@@ -38,10 +41,11 @@ def calibrating(feed: Feed, reference: str, before: Station | None) -> Job[Calib
         def later(share: float, doing: str) -> None:
             told(CAPTURED + (CALIBRATED - CAPTURED) * share, doing)
 
-        outcome = calibrate_again(stills, reference, serials, before, later, cancelled)
+        outcome = calibrate_again(stills, reference, serials, before, depths, later, cancelled)
         stop_if(cancelled)
         told(CALIBRATED, "Drawing")
-        return Calibrated(outcome, fused_clouds(stills, before, outcome.station))
+        corrected = corrected_stills(stills, corrections_of(serials, depths, before))
+        return Calibrated(outcome, fused_clouds(corrected, before, outcome.station))
 
     return job
 
@@ -53,6 +57,8 @@ def drawing(feed: Feed, station: Station) -> Job[tuple[SensorCloud, ...]]:
         told = worded(progress)
         stills = collect_stills(feed, CHECK_STILLS, lambda share, doing: told(CAPTURED * share, doing), cancelled)
         told(CALIBRATED, "Drawing")
-        return fused_clouds(stills, station, station)
+        serials = {name: info.serial for name, info in feed.infos.items()}
+        corrected = corrected_stills(stills, corrections_of(serials, None, station))
+        return fused_clouds(corrected, station, station)
 
     return job
