@@ -377,6 +377,10 @@
         <translation>Ahora otro sensor es la referencia: {sensor}.</translation>
     </message>
     <message>
+        <source>Depth is corrected otherwise since: {sensors}. Calibrate again.</source>
+        <translation>La profundidad se corrige ahora de otro modo: {sensors}. Calibre de nuevo.</translation>
+    </message>
+    <message>
         <source>More is to be taught (samples, pieces of fruit): {kinds}.</source>
         <translation>Falta enseñar más (muestras, frutas): {kinds}.</translation>
     </message>
