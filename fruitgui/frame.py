@@ -83,6 +83,8 @@ class Frame:
         depth_mm: (height, width) uint16, registered to the colour image, 0 = no reading.
         intrinsics: of the colour camera, which the depth shares.
         damaged: a part was lost on its way and shows something older; a feed counts it and hands it on to nobody.
+        felt_m_s2: what the sensor's accelerometer felt lately, in axes of its own: gravity, as long as it stands still;
+            None where there is none.
     """
 
     sensor: str
@@ -92,6 +94,7 @@ class Frame:
     depth_mm: U16
     intrinsics: Intrinsics
     damaged: bool = False
+    felt_m_s2: tuple[float, float, float] | None = None
 
     def points(self) -> F32:
         """Return every pixel's point in the optical frame, metres: (height, width, 3), zeros where no reading."""

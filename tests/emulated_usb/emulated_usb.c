@@ -410,7 +410,7 @@ int libusb_get_string_descriptor_ascii(libusb_device_handle *h, uint8_t index, u
     int result;
     pthread_mutex_lock(&lock);
     kinect *k = h->dev->kinect;
-    hanging(k, HANG_CONTROL);
+    if (k->hang == HANG_CONTROL) { pthread_mutex_unlock(&lock); sleep(1); return LIBUSB_ERROR_TIMEOUT; } /* as libusb does */
     const char *text = index != 3 ? "Xbox NUI" : is_camera(h->dev) ? k->serial : k->audio_serial;
     result = plugged(h->dev) ? snprintf((char *)data, length, "%s", text) : LIBUSB_ERROR_NO_DEVICE;
     pthread_mutex_unlock(&lock);

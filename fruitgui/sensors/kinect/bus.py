@@ -89,21 +89,28 @@ class Bus:
         with self._listed() as devices:
             return list(self._cameras(devices))
 
-    @contextmanager
-    def motor(self, serial: str) -> Iterator[ctypes.c_void_p | None]:
-        """Open the motor that belongs to a camera; None where none certainly does.
+    def open_motor(self, serial: str) -> ctypes.c_void_p | None:
+        """Open the motor that belongs to a camera, until `close_motor`; None where none certainly does.
 
         Camera and motor of one Kinect hang on one hub inside of it. libfreenect 0.5 takes the motor that has the
         camera's place in the list, which may be another Kinect's.
         """
         with self._listed() as devices:
-            handle = self._open_motor(devices, serial)
-            try:
-                yield handle
-            finally:
-                if handle is not None:
-                    self._usb.release_interface(handle, 0)
-                    self._usb.close(handle)
+            cameras = [one for one in devices if camera_model(one.vendor, one.product, one.release) is not None]
+            mine = [one for one in cameras if self._serial_of(one, devices) == serial]
+            motors = [
+                one for one in devices if is_motor(one.vendor, one.product) and mine and _on_one_hub(one, mine[0])
+            ]
+            handle = self._open(motors[0]) if len(mine) == len(motors) == 1 else None
+            if handle is not None and self._usb.claim_interface(handle, 0) < 0:
+                self._usb.close(handle)
+                return None
+            return handle
+
+    def close_motor(self, handle: ctypes.c_void_p) -> None:
+        """Let go of a motor."""
+        self._usb.release_interface(handle, 0)
+        self._usb.close(handle)
 
     def control(self, handle: ctypes.c_void_p, kind: int, request: int, value: int, length: int = 0) -> bytes | None:
         """Send a control request; return what came back, or None where it failed within a quarter of a second."""
@@ -125,18 +132,6 @@ class Bus:
             return serial
         ears = [one for one in devices if is_microphone(one.vendor, one.product) and _on_one_hub(one, camera)]
         return (self._string(ears[0]) if len(ears) == 1 else "") or serial
-
-    def _open_motor(self, devices: list[_Listed], serial: str) -> ctypes.c_void_p | None:
-        cameras = [one for one in devices if camera_model(one.vendor, one.product, one.release) is not None]
-        mine = [one for one in cameras if self._serial_of(one, devices) == serial]
-        motors = [one for one in devices if is_motor(one.vendor, one.product) and mine and _on_one_hub(one, mine[0])]
-        if len(mine) != 1 or len(motors) != 1:
-            return None
-        handle = self._open(motors[0])
-        if handle is not None and self._usb.claim_interface(handle, 0) < 0:
-            self._usb.close(handle)
-            return None
-        return handle
 
     def _open(self, device: _Listed) -> ctypes.c_void_p | None:
         handle = ctypes.c_void_p()

@@ -11,6 +11,7 @@ from fruitgui.sensors.drivers import PluggedDevice
 from fruitgui.sensors.kinect import library
 from fruitgui.sensors.kinect.bus import Bus, Camera, told_apart
 from fruitgui.sensors.kinect.device import Device, Hear
+from fruitgui.sensors.kinect.motor import Motor
 from fruitgui.sensors.kinect.sensor import KinectSensor
 
 MAKE = "kinect"
@@ -66,7 +67,7 @@ class KinectDriver:
         def device(hear: Hear) -> Device:
             return Device(library.libfreenect(), Bus(library.libusb()), serial, hear, self._now_s)
 
-        return KinectSensor(serial, device)
+        return KinectSensor(serial, device, lambda: Motor(Bus(library.libusb()), serial))
 
     def _look(self) -> None:
         """Ask the bus; one thread does so at a time."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import re
+import time
 from collections.abc import Callable
 
 import numpy as np
@@ -15,12 +17,14 @@ from fruitgui.sensors.kinect.depth_table import depth_table, millimetres
 from fruitgui.sensors.kinect.device import Device, Hear
 from fruitgui.sensors.kinect.factory import Factory
 from fruitgui.sensors.kinect.faults import hangs
+from fruitgui.sensors.kinect.motor import Led, Motor
 from fruitgui.sensors.kinect.packets import Stream
 from fruitgui.sensors.kinect.session import Session
 from fruitgui.sensors.registration import Registration
 from fruitgui.sensors.sensor import Projector, SensorInfo, SensorTimeoutError
 
 RATE_HZ = 30.0
+FELT_EVERY_S = 1.0
 MakeDevice = Callable[[Hear], Device]
 
 
@@ -34,11 +38,16 @@ class KinectSensor:
     Args:
         serial: of the device.
         device: makes it, not yet open, given who hears of its pictures.
+        motor: makes its motor, not yet open, for its light and its accelerometer; None where it has none.
     """
 
-    def __init__(self, serial: str, device: MakeDevice) -> None:
+    def __init__(self, serial: str, device: MakeDevice, motor: Callable[[], Motor] | None = None) -> None:
         self._serial = serial
         self._make_device = device
+        self._make_motor = motor
+        self._motor: Motor | None = None
+        self._felt_m_s2: tuple[float, float, float] | None = None
+        self._felt_s = -math.inf
         self._name = "kinect_" + re.sub(r"\W", "_", serial, flags=re.ASCII)
         self._model = "Kinect v1"
         self._color = NOMINAL_COLOR
@@ -75,6 +84,9 @@ class KinectSensor:
             raise
         self._model = opened.camera.model.name
         self._take(opened.factory)
+        if opened.camera.model.has_motor and self._make_motor is not None:
+            self._motor = self._make_motor()
+            self._motor.open()
 
     def start(self) -> None:
         """Begin to capture, in the dark where the projector was told to be dark.
@@ -82,6 +94,7 @@ class KinectSensor:
         Raises:
             WorldError: it is not open, is gone, does not answer, or its USB controller has no room left.
         """
+        self._light(Led.GREEN)
         self._switch(Stream.VIDEO, on=True)
         if self._shining:
             self._switch(Stream.DEPTH, on=True)
@@ -99,6 +112,7 @@ class KinectSensor:
         if capture is None:
             raise SensorTimeoutError(self._name, timeout_s)
         pair = capture.pair
+        self._feel()
         depth_mm = self._registration.apply(millimetres(pair.depth.raw, self._table))
         return Frame(
             self._name,
@@ -108,6 +122,7 @@ class KinectSensor:
             depth_mm,
             self._color,
             damaged=not pair.whole,
+            felt_m_s2=self._felt_m_s2,
         )
 
     def projector(self, on: bool) -> None:
@@ -133,14 +148,28 @@ class KinectSensor:
         """End capturing; the projector is dark then, where the device still answers."""
         if self._session is None or self._session.failure is not None:
             return
+        self._light(Led.BLINKING_GREEN)
         session, device = self._opened()
         session.ask(device.stop)
         self._captures.begin_anew()
 
     def close(self) -> None:
         """Give the device back within two seconds; a thread that hangs in the library is left behind."""
+        if self._motor is not None:
+            self._motor.close()
+            self._motor = None
         if self._session is not None and self._session.close():
             self._session, self._device = None, None
+
+    def _light(self, led: Led) -> None:
+        """Show whether it is in use, as far as it has a light."""
+        if self._motor is not None:
+            self._motor.light(led)
+
+    def _feel(self) -> None:
+        if self._motor is not None and time.monotonic() - self._felt_s > FELT_EVERY_S:
+            self._felt_s = time.monotonic()
+            self._felt_m_s2 = self._motor.felt_m_s2()
 
     def _take(self, factory: Factory) -> None:
         self._table = depth_table(factory.zero_plane)

@@ -16,6 +16,7 @@ from fruitgui.sensors.kinect.clock import FRAME_TICKS
 from fruitgui.sensors.kinect.device import Device, Picture
 from fruitgui.sensors.kinect.driver import KinectDriver
 from fruitgui.sensors.kinect.library import libfreenect, libusb
+from fruitgui.sensors.kinect.motor import Led, Motor
 from fruitgui.sensors.kinect.packets import Stream
 from fruitgui.sensors.kinect.sensor import KinectSensor
 from fruitgui.sensors.sensor import SensorTimeoutError
@@ -25,6 +26,7 @@ from tests.emulated_usb.emulation import (
     DEPTH_REGISTER,
     MODEL_1473,
     MODEL_K4W,
+    TILT,
     Emulation,
     Garbage,
     Hang,
@@ -408,4 +410,38 @@ def test_exposure_and_white_balance_can_be_held(usb: Emulation, tmp_path: Path) 
     assert usb.cmos(0, 0x106) & automatic == 0
     assert sensors[0].lock_color(on=False)
     assert usb.cmos(0, 0x106) & automatic == automatic
+    let_go(sensors)
+
+
+@inside
+def test_light_and_accelerometer_are_this_kinect_s_own(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"), Kinect("C3"))
+    usb.motor_order((2, 0, 1))  # the library would take the motor of another one
+    usb.accelerate(1, 0, 819, -164)
+    sensors = sensors_of("B2")
+    assert [usb.led(number) for number in range(3)] == [0, Led.GREEN, 0]
+    push(usb, 1, 0)
+    felt = sensors[0].read(READ_S).felt_m_s2
+    assert felt == pytest.approx((0.0, 9.80665, -9.80665 * 164 / 819))
+    let_go(sensors)
+    assert [usb.led(number) for number in range(3)] == [0, Led.BLINKING_GREEN, 0]
+    motor = Motor(Bus(libusb()), "C3")
+    assert motor.open()
+    assert motor.tilt(-12.0)
+    assert motor.tilt(90.0)
+    motor.close()
+    assert [(one.kinect, one.value) for one in usb.log() if one.register == TILT] == [(2, -24 & 0xFFFF), (2, 62)]
+
+
+@inside
+def test_models_without_a_motor_of_their_own_run_all_the_same(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1", MODEL_1473), Kinect("B2", MODEL_K4W), Kinect("C3"))
+    sensors = sensors_of("A1", "B2")
+    assert [sensor.info.model for sensor in sensors] == ["Kinect 1473", "Kinect for Windows"]
+    for number, sensor in enumerate(sensors):
+        push(usb, number, 0)
+        frame = sensor.read(READ_S)
+        assert frame.felt_m_s2 is None
+        assert not frame.damaged
+    assert usb.led(2) == 0
     let_go(sensors)
