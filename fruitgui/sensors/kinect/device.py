@@ -104,6 +104,11 @@ class Device:
         )
 
     @property
+    def handle(self) -> ctypes.c_void_p:
+        """The library's own."""
+        return self._device
+
+    @property
     def gone(self) -> bool:
         """Whether the device was unplugged."""
         return self._log.gone or self._failures > _FAILURES

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,6 +14,7 @@ from fruitgui.errors import WorldError
 from fruitgui.frame import U16, Frame
 from fruitgui.sensors.kinect.bus import Bus
 from fruitgui.sensors.kinect.clock import FRAME_TICKS
+from fruitgui.sensors.kinect.depth_table import depth_table
 from fruitgui.sensors.kinect.device import Device, Picture
 from fruitgui.sensors.kinect.driver import KinectDriver
 from fruitgui.sensors.kinect.library import libfreenect, libusb
@@ -32,6 +34,7 @@ from tests.emulated_usb.emulation import (
     Hang,
     Kinect,
 )
+from tests.emulated_usb.factory_made import registration_bytes
 from tests.emulated_usb.outside import inside
 
 READ_S = 20.0
@@ -445,3 +448,28 @@ def test_models_without_a_motor_of_their_own_run_all_the_same(usb: Emulation, tm
         assert not frame.damaged
     assert usb.led(2) == 0
     let_go(sensors)
+
+
+@inside
+def test_the_factory_s_words_are_understood_as_the_library_does(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1", registration=registration_bytes(530.0, (322.0, 236.0), 0.04, -0.01)))
+    freenect = libfreenect()
+    device = Device(freenect, Bus(libusb()), "A1", lambda _stream, _picture: None)
+    opened = device.open()
+    says = freenect.copy_registration(device.handle)
+    # depth: the library cuts fractions off
+    own = depth_table(opened.factory.zero_plane).astype(int)
+    its = np.ctypeslib.as_array(says.raw_to_mm, (2048,)).astype(int)
+    assert set((own - its)[:1055]) <= {0, 1}
+    # places: in steps of 1/256 along the rows, whole pixels across; it adds up differences that are cut off as well
+    table = np.ctypeslib.as_array(says.table, (480 * 640,)).reshape(480, 640, 2)
+    v, u = (one.astype(float) for one in np.mgrid[0:480, 0:640])
+    at_m = 1.2
+    shift = np.ctypeslib.as_array(says.depth_to_rgb, (10000,))[round(at_m * 1000)]
+    own_u, own_v = opened.factory.color_pixels(u, v, np.full(u.shape, at_m))
+    inside_picture = table[..., 0] < 2 * 640 * 256
+    assert inside_picture.mean() > 0.9
+    assert np.abs((table[..., 0] + shift) / 256.0 - 0.5 - own_u)[inside_picture].max() < 0.06
+    assert np.abs(table[..., 1] - own_v)[inside_picture].max() < 0.56
+    freenect.destroy_registration(ctypes.byref(says))
+    device.close()
