@@ -7,11 +7,8 @@ the worst case of stuffed bits (`HS_NSECS_ISO` in include/linux/usb/hcd.h).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
-
-from fruitgui.sensors.usb.known import Part, known_device
-from fruitgui.sensors.usb.tree import UsbDevice, UsbTree
 
 PROMISED_US = 100.0
 """Of each microframe, for all streams of a bus together."""
@@ -29,12 +26,12 @@ class BusLoad:
 
     Attributes:
         bus: its number.
-        kinects: on it.
+        kinects: on it, by name.
         wanted_us: of each microframe, with colour and depth of each.
     """
 
     bus: int
-    kinects: tuple[UsbDevice, ...]
+    kinects: tuple[str, ...]
     wanted_us: float
 
     @property
@@ -53,15 +50,13 @@ KINECT_US = stream_us(COLOUR_BYTES) + stream_us(DEPTH_BYTES)
 """Of a Kinect with colour and depth: one fits on a bus, and not even depth alone of a second beside it."""
 
 
-def bus_loads(tree: UsbTree) -> tuple[BusLoad, ...]:
-    """Return the load of every bus on which there are Kinects of the first kind."""
-    by_bus: dict[int, list[UsbDevice]] = {}
-    for device in tree.devices:
-        known = known_device(device)
-        if known is not None and known.make == "kinect" and known.part is Part.SENSOR:
-            by_bus.setdefault(device.bus, []).append(device)
-    return tuple(_load(bus, kinects) for bus, kinects in sorted(by_bus.items()))
+def bus_loads(kinects: Iterable[tuple[int, str]]) -> tuple[BusLoad, ...]:
+    """Return the load of every bus on which there are Kinects of the first kind.
 
-
-def _load(bus: int, kinects: Sequence[UsbDevice]) -> BusLoad:
-    return BusLoad(bus, tuple(kinects), len(kinects) * KINECT_US)
+    Args:
+        kinects: the bus and the name of each.
+    """
+    by_bus: dict[int, list[str]] = {}
+    for bus, name in kinects:
+        by_bus.setdefault(bus, []).append(name)
+    return tuple(BusLoad(bus, tuple(names), len(names) * KINECT_US) for bus, names in sorted(by_bus.items()))

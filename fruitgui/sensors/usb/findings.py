@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from fruitgui.sensors.usb.bandwidth import BusLoad, bus_loads
 from fruitgui.sensors.usb.holders import Holders, read_holders
 from fruitgui.sensors.usb.known import KnownDevice, Part, known_device
 from fruitgui.sensors.usb.machine import Machine, number_of
@@ -27,11 +26,13 @@ class SeenSensor:
 
     Attributes:
         device: it. known: which it is. problems: what is in its way.
+        serials: its own and those of its other parts: some Kinects have one in their microphone only.
     """
 
     device: UsbDevice
     known: KnownDevice
     problems: tuple[Problem, ...] = ()
+    serials: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,13 +40,12 @@ class UsbView:
     """The USB of a system, looked over.
 
     Attributes:
-        tree: all of it. sensors: the depth sensors on it. loads: of the buses that carry Kinects.
+        tree: all of it. sensors: the depth sensors on it.
         problems: of the system itself, and of sensors that show no camera.
     """
 
     tree: UsbTree
     sensors: tuple[SeenSensor, ...]
-    loads: tuple[BusLoad, ...]
     problems: tuple[Problem, ...]
 
     @property
@@ -61,13 +61,12 @@ def look_over(machine: Machine, own_pid: int) -> UsbView:
     denied = "no_access_yet" if rules_are_installed(machine) else "no_access"
     known = [(device, which) for device in tree.devices if (which := known_device(device)) is not None]
     seen = [
-        SeenSensor(device, which, tuple(_of_device(machine, device, which, holders, denied)))
+        SeenSensor(device, which, tuple(_of_device(machine, device, which, holders, denied)), _serials(tree, device))
         for device, which in known
         if which.part is Part.SENSOR
     ]
-    loads = bus_loads(tree)
     problems = [*_without_power(tree, known), *_memory(machine, seen)]
-    return UsbView(tree, tuple(seen), loads, tuple(problems))
+    return UsbView(tree, tuple(seen), tuple(problems))
 
 
 def _of_device(machine: Machine, device: UsbDevice, known: KnownDevice, holders: Holders, denied: str) -> list[Problem]:
@@ -88,6 +87,11 @@ def _of_device(machine: Machine, device: UsbDevice, known: KnownDevice, holders:
         speed, needed = f"{device.speed_mbps:g}", f"{known.needs_mbps:g}"
         found.append(problem("slow_port", speed=speed, needed=needed, usb=usb))
     return found
+
+
+def _serials(tree: UsbTree, device: UsbDevice) -> tuple[str, ...]:
+    parts = (one for one in tree.beside(device) if known_device(one) is not None)
+    return tuple(one.serial for one in (device, *parts) if one.serial.strip("0"))
 
 
 def _without_power(tree: UsbTree, known: Sequence[tuple[UsbDevice, KnownDevice]]) -> list[Problem]:

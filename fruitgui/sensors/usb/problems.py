@@ -36,12 +36,12 @@ WORDS: Mapping[str, tuple[str, str]] = {
         "BIOS whether USB is switched off.",
     ),
     "bus_full": (
-        "{sensors} share USB controller {controller} (bus {bus}); it has room for one Kinect with colour and depth.",
+        "{sensors} share one USB controller ({controller}); it has room for one Kinect with colour and depth.",
         "Controller {free} has room: try one sensor in other sockets until this check shows it there.",
     ),
     "buses_full": (
-        "{sensors} share USB controller {controller} (bus {bus}); it has room for one Kinect with colour and depth.",
-        "This computer has no other controller with room: add a USB card for each further Kinect.",
+        "{sensors} share one USB controller ({controller}); it has room for one Kinect with colour and depth.",
+        "No other controller with room is known here: try other sockets, or add a USB card for each further Kinect.",
     ),
     "usbfs_memory": (
         "All programs together may hold {have} MB for USB, and these sensors need {need} MB.",
@@ -96,6 +96,10 @@ WORDS: Mapping[str, tuple[str, str]] = {
     "no_serial": (
         "It has the same serial as another sensor, or none: they cannot be told apart.",
         "Use one of them only, or one of another model.",
+    ),
+    "closed": (
+        "It cannot be opened: the system does not let you, or another sensor has its serial.",
+        "Install the rules that do: fruitgui sensors --install-udev-rules. Of two with one serial, plug in only one.",
     ),
     "hangs": (
         "Its driver hangs.",

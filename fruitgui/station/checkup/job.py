@@ -11,7 +11,7 @@ from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress,
 from fruitgui.sensors.drivers import Driver, known_drivers
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.sensor import Sensor
-from fruitgui.sensors.usb.bandwidth import PROMISED_US
+from fruitgui.sensors.usb.bandwidth import PROMISED_US, BusLoad, bus_loads
 from fruitgui.sensors.usb.findings import UsbView, look_over
 from fruitgui.sensors.usb.machine import Machine
 from fruitgui.sensors.usb.problems import Problem, problem, problem_of
@@ -77,9 +77,12 @@ def check_up(plan: CheckupPlan, progress: Progress = no_progress, cancelled: Can
     sensors = tuple(_with_outcome(one.checked, outcomes.get(one.checked.name), plan.seconds) for one in found)
     answered = [one.problem for one in answers if one.problem is not None]
     missing = [one.unusable for one in answers if one.unusable is not None and not found]
-    problems = [*_nothing(view, found, answered), *missing, *answered, *view.problems, *_full_buses(view, sensors)]
+    loads = bus_loads(
+        (one.place.bus, one.name) for one in sensors if one.make == "kinect" and one.place.bus is not None
+    )
+    problems = [*_nothing(view, found, answered), *missing, *answered, *view.problems, *_full_buses(view, loads)]
     progress(1.0, "Done")
-    return Checkup(sensors, tuple(problems), _controllers(view, sensors))
+    return Checkup(sensors, tuple(problems), _controllers(view, sensors, loads))
 
 
 def _of_use(drivers: Sequence[Driver], view: UsbView) -> list[Driver]:
@@ -88,11 +91,11 @@ def _of_use(drivers: Sequence[Driver], view: UsbView) -> list[Driver]:
 
 
 def _run(found: Sequence[Joined], plan: CheckupPlan, progress: Progress, cancelled: Cancelled) -> Mapping[str, Outcome]:
-    closed = (SensorState.NO_ACCESS, SensorState.NO_DRIVER)
+    tried = (SensorState.READY, SensorState.BUSY)
     sensors = [
         NamedSensor(one.sensor, one.checked.name)
         for one in found
-        if one.sensor is not None and one.checked.state not in closed
+        if one.sensor is not None and one.checked.state in tried
     ]
     return plan.watching(sensors, plan.seconds, progress, cancelled) if sensors else {}
 
@@ -137,30 +140,29 @@ def _nothing(view: UsbView, found: Sequence[Joined], answered: Sequence[Problem]
     return [problem("nothing_connected" if view.shown else "no_usb")]
 
 
-def _full_buses(view: UsbView, sensors: Sequence[CheckedSensor]) -> list[Problem]:
-    names = {one.place.port: one.name for one in sensors}
-    loaded = {view.tree.controller(load.bus) for load in view.loads}
+def _full_buses(view: UsbView, loads: Sequence[BusLoad]) -> list[Problem]:
+    loaded = {view.tree.controller(load.bus) for load in loads}
     fast = [bus for bus in view.tree.buses.values() if bus.speed_mbps >= HIGH_SPEED_MBPS]
     free = [bus.controller for bus in fast if bus.controller not in loaded]
     found = []
-    for load in (one for one in view.loads if not one.fits):
-        values = {
-            "sensors": ", ".join(names.get(kinect.path, kinect.path) for kinect in load.kinects),
-            "controller": view.tree.controller(load.bus) or "?",
-            "bus": str(load.bus),
-        }
+    for load in (one for one in loads if not one.fits):
+        address = view.tree.controller(load.bus)
+        controller = f"bus {load.bus}" if address is None else f"{address}, bus {load.bus}"
+        values = {"sensors": ", ".join(load.kinects), "controller": controller}
         found.append(problem("bus_full", **values, free=free[0]) if free else problem("buses_full", **values))
     return found
 
 
-def _controllers(view: UsbView, sensors: Sequence[CheckedSensor]) -> tuple[CheckedController, ...]:
-    loads = {load.bus: load.wanted_us / PROMISED_US for load in view.loads}
+def _controllers(
+    view: UsbView, sensors: Sequence[CheckedSensor], loads: Sequence[BusLoad]
+) -> tuple[CheckedController, ...]:
+    share = {load.bus: load.wanted_us / PROMISED_US for load in loads}
     found = []
     for address in dict.fromkeys(bus.controller for bus in view.tree.buses.values()):
         buses = [bus for bus in view.tree.buses.values() if bus.controller == address]
         numbers = tuple(sorted(bus.number for bus in buses))
         on_it = tuple(one.name for one in sensors if one.place.bus in numbers)
-        load = max((loads[number] for number in numbers if number in loads), default=None)
+        load = max((share[number] for number in numbers if number in share), default=None)
         driver = next((bus.driver for bus in buses if bus.driver), "")
         found.append(CheckedController(address, driver, numbers, on_it, load))
     return tuple(found)

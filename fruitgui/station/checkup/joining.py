@@ -19,6 +19,8 @@ BLOCKING = {
     "no_access_yet": SensorState.NO_ACCESS,
     "no_node": SensorState.NO_ACCESS,
     "not_found": SensorState.FAILED,
+    "closed": SensorState.FAILED,
+    "no_serial": SensorState.FAILED,
     "busy": SensorState.BUSY,
 }
 """The state that a problem puts a sensor into while nothing was measured, the gravest first."""
@@ -68,12 +70,11 @@ def _twins(devices: Iterable[PluggedDevice]) -> set[tuple[str, str]]:
 
 
 def _seen(device: PluggedDevice, seen: Sequence[SeenSensor]) -> SeenSensor | None:
-    """Return the sensor on the USB that a driver lists: by its address, by its serial, or as the only one left."""
-    same = [one for one in seen if one.known.make == device.make]
-    if device.bus is not None and device.address is not None:
-        place = (device.bus, device.address)
-        return next((one for one in same if (one.device.bus, one.device.address) == place), None)
-    by_serial = [one for one in same if device.serial and one.device.serial == device.serial]
+    """Return the sensor on the USB that a driver lists: by its address, by a serial, or as the only one left."""
+    same = [one for one in seen if one.known.make == device.make and device.bus in (None, one.device.bus)]
+    if device.address is not None:
+        return next((one for one in same if one.device.address == device.address), None)
+    by_serial = [one for one in same if device.serial in one.serials]
     return by_serial[0] if by_serial else same[0] if len(same) == 1 else None
 
 
@@ -81,8 +82,8 @@ def _listed(
     device: PluggedDevice, seen: SeenSensor | None, view: UsbView, name: str, twins: set[tuple[str, str]]
 ) -> CheckedSensor:
     problems = () if seen is None else seen.problems
-    if (device.make, device.serial) in twins:
-        problems = (*problems, problem("no_serial"))
+    if (device.make, device.serial) in twins and not any(one.code in BLOCKING for one in problems):
+        problems = (*problems, problem("no_serial" if device.serial else "closed"))
     place = _place(seen, view) if seen is not None else _told_place(device, view)
     return CheckedSensor(
         name, device.make, device.model, device.serial, _state(problems), problems, device.limits, device.firmware,

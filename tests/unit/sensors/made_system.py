@@ -63,12 +63,15 @@ class MadeSystem:
             self._node(bus, address).parent.mkdir(parents=True, exist_ok=True)
             self._node(bus, address).touch()
 
-    def kinect(self, hub: str, serial: str, *, release: int = 0x010B, driver: str = "", powered: bool = True) -> str:
+    def kinect(
+        self, hub: str, serial: str, *, release: int = 0x010B, driver: str = "", powered: bool = True,
+        microphone: str = "",
+    ) -> str:  # fmt: skip
         """Plug a Kinect in: its own hub with motor, audio and camera; return the camera's path."""
         self.plug(hub, 0x0409, 0x005A)
         self.plug(f"{hub}.1", 0x045E, KINECT_MOTOR, name="Xbox NUI Motor", speed=12)
         if powered:
-            self.plug(f"{hub}.2", 0x045E, KINECT_AUDIO, name="Xbox NUI Audio")
+            self.plug(f"{hub}.2", 0x045E, KINECT_AUDIO, name="Xbox NUI Audio", serial=microphone)
             self.plug(f"{hub}.3", 0x045E, KINECT_CAMERA, serial=serial, release=release, driver=driver)
         return f"{hub}.3"
 

@@ -85,7 +85,6 @@ def test_a_kinect_that_is_free_has_no_problem(tmp_path: Path) -> None:
     view = look_over(system.machine, OWN)
     assert codes(system) == [[]]
     assert view.problems == ()
-    assert [load.fits for load in view.loads] == [True]
 
 
 def test_a_kinect_without_its_adapter_shows_only_its_motor(tmp_path: Path) -> None:
@@ -164,21 +163,13 @@ def test_one_kinect_fits_on_a_bus_and_two_with_depth_alone() -> None:
 
 
 @pytest.mark.parametrize(
-    ("hubs", "fit"),
-    [
-        (["1-1"], {1: True}),
-        (["1-1", "1-2"], {1: False}),
-        (["1-1", "3-1"], {1: True, 3: True}),
-        (["1-1", "3-1", "3-2"], {1: True, 3: False}),
-        ([], {}),
-    ],
+    ("buses", "fit"),
+    [([1], {1: True}), ([1, 1], {1: False}), ([1, 3], {1: True, 3: True}), ([1, 3, 3], {1: True, 3: False}), ([], {})],
 )
-def test_kinects_fit_one_to_a_controller(tmp_path: Path, hubs: list[str], fit: dict[int, bool]) -> None:
-    system = made_system(tmp_path)
-    system.controller("0000:05:00.0", 3, 4)
-    for number, hub in enumerate(hubs):
-        system.kinect(hub, f"A{number}")
-    assert {load.bus: load.fits for load in bus_loads(read_tree(system.machine))} == fit
+def test_kinects_fit_one_to_a_bus(buses: list[int], fit: dict[int, bool]) -> None:
+    loads = bus_loads((bus, f"kinect_{number}") for number, bus in enumerate(buses))
+    assert {load.bus: load.fits for load in loads} == fit
+    assert sorted(name for load in loads for name in load.kinects) == [f"kinect_{n}" for n in range(len(buses))]
 
 
 @pytest.mark.parametrize(("kinects", "memory", "short"), [(1, 16, False), (3, 2, True), (3, 0, False), (3, "x", False)])
@@ -193,7 +184,7 @@ def test_memory_for_usb_that_is_short_is_said(tmp_path: Path, kinects: int, memo
 def test_a_system_without_usb_is_empty(tmp_path: Path) -> None:
     view = look_over(Machine(tmp_path / "nowhere"), OWN)
     assert not view.shown
-    assert view.sensors == view.problems == view.loads == ()
+    assert view.sensors == view.problems == ()
 
 
 def test_the_system_that_runs_is_looked_over() -> None:

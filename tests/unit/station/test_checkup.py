@@ -77,7 +77,7 @@ def test_two_kinects_on_one_controller_do_not_fit(tmp_path: Path) -> None:
     (full,) = found.problems
     assert full.code == "buses_full"
     assert "USB card" in full.remedy
-    assert full.values == {"sensors": "kinect_1, kinect_2", "controller": "0000:00:14.0", "bus": "1"}
+    assert full.values == {"sensors": "kinect_1, kinect_2", "controller": "0000:00:14.0, bus 1"}
     assert found.controllers[0].load == pytest.approx(1.46, abs=0.02)
     assert found.value()["controllers"][0]["fits"] is False
     system.controller("0000:05:00.0", 3)
@@ -129,9 +129,37 @@ def test_a_driver_that_knows_the_address_finds_its_sensor_by_it(tmp_path: Path) 
     assert [(one.serial, one.place.port) for one in found.sensors] == [("audio-2", "3-1.3"), ("audio-1", "1-1.3")]
 
 
-def test_sensors_that_cannot_be_told_apart_are_said(tmp_path: Path) -> None:
-    found = look(tmp_path, MadeDriver("kinect", [PluggedDevice("kinect", "Kinect 1473", "0000000000000000")] * 2))
-    assert [codes(one) for one in found.sensors] == [["no_serial"], ["no_serial"]]
+def test_a_serial_that_only_the_microphone_has_finds_its_sensor(tmp_path: Path) -> None:
+    system = made_system(tmp_path)
+    system.kinect("1-1", "0000000000000000", microphone="M1")
+    system.kinect("1-2", "0000000000000000", microphone="M2")
+    listed = [PluggedDevice("kinect", "Kinect 1473", serial, bus=1) for serial in ("M2", "M1")]
+    found = look(system, MadeDriver("kinect", listed))
+    assert [(one.serial, one.place.port) for one in found.sensors] == [("M2", "1-2.3"), ("M1", "1-1.3")]
+
+
+def test_kinects_on_one_bus_do_not_fit_even_where_only_their_driver_shows_it(tmp_path: Path) -> None:
+    listed = [PluggedDevice("kinect", "Kinect 1414", serial, bus=2) for serial in ("A1", "B2")]
+    found = look(tmp_path, MadeDriver("kinect", listed))
+    assert [(one.code, one.values["controller"]) for one in found.problems] == [("buses_full", "bus 2")]
+
+
+def test_sensors_that_cannot_be_told_apart_are_said_and_not_run(tmp_path: Path) -> None:
+    driver = MadeDriver("kinect", [PluggedDevice("kinect", "Kinect 1473", "0000000000000000")] * 2)
+    found = look(tmp_path, driver, seconds=SECONDS)
+    assert [(one.state, codes(one)) for one in found.sensors] == [(SensorState.FAILED, ["no_serial"])] * 2
+    assert driver.sensors["0000000000000000"].opened == 0
+
+
+def test_a_sensor_that_may_not_be_asked_for_its_serial_is_closed(tmp_path: Path) -> None:
+    driver = MadeDriver("kinect", [PluggedDevice("kinect", "Kinect 1414", "", limits=("Not allowed.",), bus=1)])
+    (unseen,) = look(tmp_path / "nowhere", driver).sensors
+    assert (unseen.state, codes(unseen)) == (SensorState.FAILED, ["closed"])
+    system = made_system(tmp_path)
+    system.closed.add(system.kinect("1-1", "A1"))
+    (seen,) = look(system, driver, seconds=SECONDS).sensors
+    assert (seen.state, codes(seen)) == (SensorState.NO_ACCESS, ["no_access"])
+    assert driver.sensors[""].opened == 0
 
 
 @pytest.mark.parametrize(("vendor", "product", "make"), [(0x045E, 0x02D8, "kinect_v2"), (0x1D27, 0x0601, "primesense")])
