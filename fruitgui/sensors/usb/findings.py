@@ -83,7 +83,7 @@ def _of_device(machine: Machine, device: UsbDevice, known: KnownDevice, holders:
         if driver in WEBCAM_DRIVERS:
             found.append(problem("kernel_driver", driver=driver))
     if 0.0 < device.speed_mbps < known.needs_mbps:
-        usb = "2" if known.needs_mbps <= HIGH_SPEED_MBPS else "3 (most are blue)"
+        usb = "2" if known.needs_mbps <= HIGH_SPEED_MBPS else "3"
         speed, needed = f"{device.speed_mbps:g}", f"{known.needs_mbps:g}"
         found.append(problem("slow_port", speed=speed, needed=needed, usb=usb))
     return found

@@ -87,7 +87,8 @@ WORDS: Mapping[str, tuple[str, str]] = {
     ),
     "slow_port": (
         "It runs at {speed} Mbit/s and needs {needed} Mbit/s to give all its pictures.",
-        "Use the cable that came with it, straight at the computer, in a socket of USB {usb}.",
+        "Use the cable that came with it, straight at the computer, in a socket of USB {usb}. Those of USB 3 are "
+        "mostly blue.",
     ),
     "not_found": (
         "It is plugged in, but its driver does not find it.",

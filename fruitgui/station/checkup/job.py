@@ -5,12 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Protocol
 
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 from fruitgui.sensors.drivers import Driver, known_drivers
 from fruitgui.sensors.named import NamedSensor
-from fruitgui.sensors.sensor import Sensor
 from fruitgui.sensors.usb.bandwidth import PROMISED_US, BusLoad, bus_loads
 from fruitgui.sensors.usb.findings import UsbView, look_over
 from fruitgui.sensors.usb.machine import Machine
@@ -18,7 +16,7 @@ from fruitgui.sensors.usb.problems import Problem, problem, problem_of
 from fruitgui.sensors.usb.tree import HIGH_SPEED_MBPS
 from fruitgui.station.checkup.asking import ANSWER_S, ask
 from fruitgui.station.checkup.joining import Joined, joined
-from fruitgui.station.checkup.measuring import Outcome, measure
+from fruitgui.station.checkup.measuring import Outcome, Watching, measure
 from fruitgui.station.checkup.records import CheckedController, CheckedSensor, Checkup, SensorState
 
 ALWAYS_ASKED = ("kinect",)
@@ -30,15 +28,6 @@ SLOW_SHARE = 0.75
 
 LOST_SHARE = 0.02
 """From this share of lost pictures on, they are a problem."""
-
-
-class Watching(Protocol):
-    """How sensors are run and watched."""
-
-    def __call__(
-        self, sensors: Sequence[Sensor], seconds: float, progress: Progress, cancelled: Cancelled
-    ) -> Mapping[str, Outcome]:
-        """Return how each did, by id."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 from fruitgui.errors import FruitguiError
 from fruitgui.progress import Cancelled, Progress, stop_if
@@ -33,6 +34,15 @@ class Outcome:
     error: FruitguiError | None = None
 
 
+class Watching(Protocol):
+    """How sensors are run and watched."""
+
+    def __call__(
+        self, sensors: Sequence[Sensor], seconds: float, progress: Progress, cancelled: Cancelled
+    ) -> Mapping[str, Outcome]:
+        """Return how each did, by id."""
+
+
 def measure(
     sensors: Sequence[Sensor], seconds: float, progress: Progress, cancelled: Cancelled
 ) -> Mapping[str, Outcome]:
@@ -54,6 +64,32 @@ def measure(
     finally:
         hung = feed.stop()
     return {name: Outcome(SensorState.HANGS) if name in hung else one for name, one in outcomes.items()}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeasuringBeside:
+    """Watches sensors that run already where they run, and runs only the others.
+
+    Attributes:
+        feed: of sensors that run, known by their serials.
+        others: what is done with those that do not run; None leaves them idle, as while a lot runs.
+    """
+
+    feed: Feed
+    others: Watching | None
+
+    def __call__(
+        self, sensors: Sequence[Sensor], seconds: float, progress: Progress, cancelled: Cancelled
+    ) -> Mapping[str, Outcome]:
+        """Return how each did, by id. Raises `CancelledByUserError` where it was cancelled."""
+        running = {info.serial: name for name, info in self.feed.infos.items() if info.serial}
+        idle = [one for one in sensors if one.info.serial not in running]
+        outcomes = dict(self.others(idle, seconds, progress, cancelled)) if idle and self.others else {}
+        watched = {one.info.sensor: running[one.info.serial] for one in sensors if one.info.serial in running}
+        if watched:
+            seen = watch(self.feed, seconds, progress, cancelled)
+            outcomes |= {name: seen[as_named] for name, as_named in watched.items()}
+        return outcomes
 
 
 def watch(feed: Feed, seconds: float, progress: Progress, cancelled: Cancelled) -> dict[str, Outcome]:

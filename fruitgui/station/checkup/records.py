@@ -159,7 +159,7 @@ class Checkup:
 
 def needs_rules(problems: Sequence[Problem]) -> bool:
     """Tell whether installing the udev rules is what helps."""
-    return any(one.code == "no_access" for one in problems)
+    return any(one.code in ("no_access", "closed") for one in problems)
 
 
 def _value(problem: Problem) -> dict[str, str]:

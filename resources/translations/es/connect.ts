@@ -2,6 +2,340 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es">
 <context>
+    <name>Checkup</name>
+    <message>
+        <source>No depth sensor was found on this computer.</source>
+        <translation>No se encontró ningún sensor de profundidad en este computador.</translation>
+    </message>
+    <message>
+        <source>Plug one in straight at the computer, switch its power adapter on, and check again after ten seconds.</source>
+        <translation>Enchufe uno directamente en el computador, encienda su adaptador de corriente y revise de nuevo después de diez segundos.</translation>
+    </message>
+    <message>
+        <source>No depth sensor was found: this system shows no USB at all.</source>
+        <translation>No se encontró ningún sensor de profundidad: este sistema no muestra ningún USB.</translation>
+    </message>
+    <message>
+        <source>In a virtual machine or a container, hand the computer&apos;s USB devices on to it. On a computer, look in its BIOS whether USB is switched off.</source>
+        <translation>En una máquina virtual o un contenedor, pásele los dispositivos USB del computador. En un computador, vea en su BIOS si el USB está apagado.</translation>
+    </message>
+    <message>
+        <source>{sensors} share one USB controller ({controller}); it has room for one Kinect with colour and depth.</source>
+        <translation>{sensors} comparten un controlador USB ({controller}); en él cabe un solo Kinect con color y profundidad.</translation>
+    </message>
+    <message>
+        <source>Controller {free} has room: try one sensor in other sockets until this check shows it there.</source>
+        <translation>En el controlador {free} hay lugar: pruebe un sensor en otros puertos hasta que esta revisión lo muestre allí.</translation>
+    </message>
+    <message>
+        <source>No other controller with room is known here: try other sockets, or add a USB card for each further Kinect.</source>
+        <translation>No se conoce aquí otro controlador con lugar: pruebe otros puertos, o agregue una tarjeta USB por cada Kinect más.</translation>
+    </message>
+    <message>
+        <source>All programs together may hold {have} MB for USB, and these sensors need {need} MB.</source>
+        <translation>Todos los programas juntos pueden ocupar {have} MB para USB, y estos sensores necesitan {need} MB.</translation>
+    </message>
+    <message>
+        <source>As the administrator: echo {want} &gt; /sys/module/usbcore/parameters/usbfs_memory_mb; to keep it, add usbcore.usbfs_memory_mb={want} to the kernel&apos;s command line.</source>
+        <translation>Como administrador: echo {want} &gt; /sys/module/usbcore/parameters/usbfs_memory_mb; para que quede, agregue usbcore.usbfs_memory_mb={want} a la línea de comandos del núcleo.</translation>
+    </message>
+    <message>
+        <source>The driver for {make} does not answer.</source>
+        <translation>El controlador de software para {make} no responde.</translation>
+    </message>
+    <message>
+        <source>Unplug these sensors, plug them in again, and check again. If it stays so, restart the computer.</source>
+        <translation>Desenchufe estos sensores, enchúfelos de nuevo y revise otra vez. Si sigue igual, reinicie el computador.</translation>
+    </message>
+    <message>
+        <source>The driver for {make} failed: {why}.</source>
+        <translation>El controlador de software para {make} falló: {why}.</translation>
+    </message>
+    <message>
+        <source>Unplug these sensors and plug them in again. If it stays so, install the program again.</source>
+        <translation>Desenchufe estos sensores y enchúfelos de nuevo. Si sigue igual, instale el programa otra vez.</translation>
+    </message>
+    <message>
+        <source>A Kinect shows its motor but no camera: it has no power.</source>
+        <translation>Un Kinect muestra su motor, pero no su cámara: no tiene corriente.</translation>
+    </message>
+    <message>
+        <source>Plug in its power adapter, at the wall and at the cable. USB alone does not feed a Kinect.</source>
+        <translation>Enchufe su adaptador de corriente, en la pared y en el cable. El USB solo no alimenta a un Kinect.</translation>
+    </message>
+    <message>
+        <source>There is no driver for {model} in this version.</source>
+        <translation>En esta versión no hay controlador de software para {model}.</translation>
+    </message>
+    <message>
+        <source>Use a sensor that is supported, or record it with ROS 2 and open the recording.</source>
+        <translation>Use un sensor compatible, o grábelo con ROS 2 y abra la grabación.</translation>
+    </message>
+    <message>
+        <source>The system does not let you use it.</source>
+        <translation>El sistema no le permite usarlo.</translation>
+    </message>
+    <message>
+        <source>Press “Let me use them…”. Then unplug it and plug it in again.</source>
+        <translation>Presione “Permitir usarlos…”. Luego desenchúfelo y enchúfelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The system does not let you use it, although the rules are installed.</source>
+        <translation>El sistema no le permite usarlo, aunque las reglas están instaladas.</translation>
+    </message>
+    <message>
+        <source>Unplug it and plug it in again. If it stays so, restart the computer.</source>
+        <translation>Desenchúfelo y enchúfelo de nuevo. Si sigue igual, reinicie el computador.</translation>
+    </message>
+    <message>
+        <source>The system knows it, but shows no file to use it through ({node}).</source>
+        <translation>El sistema lo conoce, pero no muestra el archivo por el que se usa ({node}).</translation>
+    </message>
+    <message>
+        <source>In a container, hand /dev/bus/usb on to it. Else unplug it and plug it in again.</source>
+        <translation>En un contenedor, pásele /dev/bus/usb. Si no, desenchúfelo y enchúfelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Another program has it open: {programs}.</source>
+        <translation>Otro programa lo tiene abierto: {programs}.</translation>
+    </message>
+    <message>
+        <source>Close that program, then check again.</source>
+        <translation>Cierre ese programa y revise de nuevo.</translation>
+    </message>
+    <message>
+        <source>The system uses it as a webcam ({driver}).</source>
+        <translation>El sistema lo usa como cámara web ({driver}).</translation>
+    </message>
+    <message>
+        <source>It is taken over when it runs. If that fails: sudo modprobe -r {driver}</source>
+        <translation>Se le quita al sistema cuando funciona. Si eso falla: sudo modprobe -r {driver}</translation>
+    </message>
+    <message>
+        <source>It runs at {speed} Mbit/s and needs {needed} Mbit/s to give all its pictures.</source>
+        <translation>Funciona a {speed} Mbit/s y necesita {needed} Mbit/s para dar todas sus imágenes.</translation>
+    </message>
+    <message>
+        <source>Use the cable that came with it, straight at the computer, in a socket of USB {usb}. Those of USB 3 are mostly blue.</source>
+        <translation>Use el cable que vino con él, directamente en el computador, en un puerto USB {usb}. Los de USB 3 suelen ser azules.</translation>
+    </message>
+    <message>
+        <source>It is plugged in, but its driver does not find it.</source>
+        <translation>Está enchufado, pero su controlador de software no lo encuentra.</translation>
+    </message>
+    <message>
+        <source>Unplug it and plug it in again, with its power adapter.</source>
+        <translation>Desenchúfelo y enchúfelo de nuevo, con su adaptador de corriente.</translation>
+    </message>
+    <message>
+        <source>It has the same serial as another sensor, or none: they cannot be told apart.</source>
+        <translation>Tiene la misma serie que otro sensor, o ninguna: no se pueden distinguir.</translation>
+    </message>
+    <message>
+        <source>Use one of them only, or one of another model.</source>
+        <translation>Use solo uno de ellos, o uno de otro modelo.</translation>
+    </message>
+    <message>
+        <source>It cannot be opened: the system does not let you, or another sensor has its serial.</source>
+        <translation>No se puede abrir: el sistema no se lo permite, u otro sensor tiene su serie.</translation>
+    </message>
+    <message>
+        <source>Press “Let me use them…”. Of two with one serial, plug in only one.</source>
+        <translation>Presione “Permitir usarlos…”. De dos con la misma serie, enchufe uno solo.</translation>
+    </message>
+    <message>
+        <source>Its driver hangs.</source>
+        <translation>Su controlador de software se quedó pegado.</translation>
+    </message>
+    <message>
+        <source>Unplug it and plug it in again, then check again.</source>
+        <translation>Desenchúfelo, enchúfelo de nuevo y revise otra vez.</translation>
+    </message>
+    <message>
+        <source>It gave no picture in {seconds} s.</source>
+        <translation>No dio ninguna imagen en {seconds} s.</translation>
+    </message>
+    <message>
+        <source>Check its power adapter and cable; give it a socket of its own, not on a hub.</source>
+        <translation>Revise su adaptador de corriente y su cable; déle un puerto propio, sin concentrador.</translation>
+    </message>
+    <message>
+        <source>It gives {rate} of {nominal} pictures a second.</source>
+        <translation>Da {rate} de {nominal} imágenes por segundo.</translation>
+    </message>
+    <message>
+        <source>Give it a USB controller of its own, and close other programs.</source>
+        <translation>Déle un controlador USB propio y cierre otros programas.</translation>
+    </message>
+    <message>
+        <source>It lost {lost} of {all} pictures.</source>
+        <translation>Perdió {lost} de {all} imágenes.</translation>
+    </message>
+    <message>
+        <source>Use a shorter cable without a hub, and a USB controller of its own.</source>
+        <translation>Use un cable más corto, sin concentrador, y un controlador USB propio.</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>listo</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>funciona</translation>
+    </message>
+    <message>
+        <source>no pictures</source>
+        <translation>sin imágenes</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>falló</translation>
+    </message>
+    <message>
+        <source>hangs</source>
+        <translation>pegado</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>en uso</translation>
+    </message>
+    <message>
+        <source>no access</source>
+        <translation>sin acceso</translation>
+    </message>
+    <message>
+        <source>no driver</source>
+        <translation>sin controlador</translation>
+    </message>
+    <message>
+        <source>{rate} pictures a second, none lost</source>
+        <translation>{rate} imágenes por segundo, ninguna perdida</translation>
+    </message>
+    <message>
+        <source>{rate} pictures a second, {lost} of {all} lost</source>
+        <translation>{rate} imágenes por segundo, {lost} de {all} perdidas</translation>
+    </message>
+    <message>
+        <source>Port {port} of USB controller {controller}</source>
+        <translation>Puerto {port} del controlador USB {controller}</translation>
+    </message>
+    <message>
+        <source>USB bus {bus}</source>
+        <translation>Bus USB {bus}</translation>
+    </message>
+    <message>
+        <source>No sensor was found.</source>
+        <translation>No se encontró ningún sensor.</translation>
+    </message>
+    <message>
+        <source>1 sensor</source>
+        <translation>1 sensor</translation>
+    </message>
+    <message>
+        <source>{n} sensors</source>
+        <translation>{n} sensores</translation>
+    </message>
+    <message>
+        <source>{sensors}; nothing is wrong.</source>
+        <translation>{sensors}; no hay problemas.</translation>
+    </message>
+    <message>
+        <source>{sensors}; one thing is wrong.</source>
+        <translation>{sensors}; hay un problema.</translation>
+    </message>
+    <message>
+        <source>{sensors}; {n} things are wrong.</source>
+        <translation>{sensors}; hay {n} problemas.</translation>
+    </message>
+    <message>
+        <source>Looking at the USB</source>
+        <translation>Mirando el USB</translation>
+    </message>
+    <message>
+        <source>Asking the drivers</source>
+        <translation>Preguntando a los controladores</translation>
+    </message>
+    <message>
+        <source>Starting the sensors</source>
+        <translation>Iniciando los sensores</translation>
+    </message>
+    <message>
+        <source>Watching the sensors run</source>
+        <translation>Observando cómo funcionan los sensores</translation>
+    </message>
+</context>
+<context>
+    <name>CheckupDialog</name>
+    <message>
+        <source>Checking the sensors</source>
+        <translation>Revisando los sensores</translation>
+    </message>
+    <message>
+        <source>Sensors and USB</source>
+        <translation>Sensores y USB</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>Revisar de nuevo</translation>
+    </message>
+    <message>
+        <source>Look at all sensors anew</source>
+        <translation>Mirar todos los sensores otra vez</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Stop checking</source>
+        <translation>Dejar de revisar</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Copy all of it as text, for whoever helps you</source>
+        <translation>Copiar todo como texto, para quien le ayude</translation>
+    </message>
+    <message>
+        <source>Let me use them…</source>
+        <translation>Permitir usarlos…</translation>
+    </message>
+    <message>
+        <source>Install the rules that let everybody use them</source>
+        <translation>Instalar las reglas que permiten a todos usarlos</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Go back to the sensors</source>
+        <translation>Volver a los sensores</translation>
+    </message>
+    <message>
+        <source>Every sensor appears here, with the USB controller that carries it and what is wrong.</source>
+        <translation>Aquí aparece cada sensor, con el controlador USB que lo lleva y lo que anda mal.</translation>
+    </message>
+    <message>
+        <source>The check was stopped.</source>
+        <translation>La revisión se detuvo.</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Deteniendo …</translation>
+    </message>
+    <message>
+        <source>Installing the rules</source>
+        <translation>Instalando las reglas</translation>
+    </message>
+    <message>
+        <source>The rules are installed. Unplug the sensors, plug them in again, and check again.</source>
+        <translation>Las reglas están instaladas. Desenchufe los sensores, enchúfelos de nuevo y revise otra vez.</translation>
+    </message>
+</context>
+<context>
     <name>Connect</name>
     <message>
         <source>Recording</source>
@@ -191,6 +525,14 @@
         <translation>Quedarse con los sensores conectados</translation>
     </message>
     <message>
+        <source>Check sensors…</source>
+        <translation>Revisar sensores…</translation>
+    </message>
+    <message>
+        <source>See what is connected and what is wrong</source>
+        <translation>Ver qué está conectado y qué anda mal</translation>
+    </message>
+    <message>
         <source>Choose the file of a recording, or another source.</source>
         <translation>Elija el archivo de una grabación, u otra fuente.</translation>
     </message>
@@ -233,6 +575,59 @@
     <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
+    </message>
+</context>
+<context>
+    <name>ControllerCard</name>
+    <message>
+        <source>USB controllers</source>
+        <translation>Controladores USB</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Controlador</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensores</translation>
+    </message>
+    <message>
+        <source>Room for Kinects taken</source>
+        <translation>Lugar para Kinects ocupado</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemCard</name>
+    <message>
+        <source>This computer</source>
+        <translation>Este computador</translation>
+    </message>
+</context>
+<context>
+    <name>RulesDialog</name>
+    <message>
+        <source>Let everybody use the sensors</source>
+        <translation>Permitir que todos usen los sensores</translation>
+    </message>
+    <message>
+        <source>Let everybody use the sensors?</source>
+        <translation>¿Permitir que todos usen los sensores?</translation>
+    </message>
+    <message>
+        <source>These rules go to {path}. From then on everybody who works on this computer may use these sensors. The system asks for the administrator&apos;s password.</source>
+        <translation>Estas reglas van a {path}. Desde entonces, todos los que trabajan en este computador pueden usar estos sensores. El sistema pide la clave del administrador.</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>Instalar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>What is done, and the rules</source>
+        <translation>Lo que se hace, y las reglas</translation>
     </message>
 </context>
 <context>

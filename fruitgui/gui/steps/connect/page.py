@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QTimer
@@ -9,6 +10,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
 from fruitgui.gui.steps.connect.chooser import SourceChooser
 from fruitgui.gui.steps.connect.details import SensorDetails
 from fruitgui.gui.steps.connect.presenter import SensorView, plan_of, sensor_views, summary
@@ -17,11 +19,16 @@ from fruitgui.gui.steps.connect.turn_card import TurnCard
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.station.checkup.job import CheckupPlan, check_up
+from fruitgui.station.checkup.measuring import MeasuringBeside, measure
 from fruitgui.station.connection import Connection
 from fruitgui.station.connection_changes import moved, referred_to, renamed, without
 from fruitgui.station.workflow import Step
 
 SIDE_WIDTH = 336
+CHECK_S = 4.0
+"""How long sensors are watched while they are checked."""
+
 LOOK_MS = 2000
 """How often devices that were plugged in meanwhile are looked for, while the list is in view."""
 
@@ -31,7 +38,7 @@ class ConnectPage(StepPage):
 
     def __init__(self, session: Session, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._session = session
+        self._session, self._theme = session, theme
         self._chosen = ""
         self._choosing = session.connection is None
         self._in_view = False
@@ -40,7 +47,8 @@ class ConnectPage(StepPage):
         self._stack = QStackedWidget()
         self._look = QTimer(self, interval=LOOK_MS)
         self.connect_action, self.calibrate_action = QAction(self), QAction(self)
-        self.change_action, self.back_action = QAction(self), QAction(self)
+        self.change_action, self.back_action, self.check_action = QAction(self), QAction(self), QAction(self)
+        self.checkup: CheckupDialog | None = None
         self._lay_out()
         self._say_words()
         self._connect()
@@ -114,6 +122,7 @@ class ConnectPage(StepPage):
         self.change_action.triggered.connect(self._change_source)
         self.back_action.triggered.connect(self._go_back)
         self.calibrate_action.triggered.connect(self._go_on)
+        self.check_action.triggered.connect(self._check_sensors)
 
     def _say_words(self) -> None:
         for action, text, tip, icon in (
@@ -121,6 +130,12 @@ class ConnectPage(StepPage):
             (self.calibrate_action, self.tr("Calibrate"), self.tr("Go on to calibrating"), "calibrate"),
             (self.change_action, self.tr("Other source…"), self.tr("Connect something else"), "connect"),
             (self.back_action, self.tr("Back"), self.tr("Stay with the sensors that are connected"), "left"),
+            (
+                self.check_action,
+                self.tr("Check sensors…"),
+                self.tr("See what is connected and what is wrong"),
+                "search",
+            ),
         ):
             action.setText(text)
             action.setToolTip(tip)
@@ -129,6 +144,7 @@ class ConnectPage(StepPage):
         self.calibrate_action.setShortcut("Ctrl+Return")
         self.change_action.setShortcut("Ctrl+N")
         self.back_action.setShortcut("Ctrl+Backspace")
+        self.check_action.setShortcut("Ctrl+U")
 
     # what is shown
 
@@ -164,16 +180,17 @@ class ConnectPage(StepPage):
 
     def _show_actions(self) -> None:
         opening = self._session.source.opening
+        self.check_action.setEnabled(not opening)
         if self._choosing or self._session.connection is None:
             self.connect_action.setEnabled(self.chooser.source is not None and not opening)
             back = () if self._session.connection is None else (self.back_action,)
-            self.offer(self.connect_action, *back)
+            self.offer(self.connect_action, self.check_action, *back)
             self.say(self._chooser_hint())
             return
         running, count = summary(self.views())
         self.calibrate_action.setEnabled(running == count)
         self.change_action.setEnabled(not opening and not self._session.running.running)
-        self.offer(self.calibrate_action, self.change_action)
+        self.offer(self.calibrate_action, self.check_action, self.change_action)
         self.say(self._sensors_hint(running, count))
 
     def _chooser_hint(self) -> str:
@@ -228,6 +245,13 @@ class ConnectPage(StepPage):
 
     def _go_on(self) -> None:
         self.step_wanted.emit(Step.CALIBRATE)
+
+    def _check_sensors(self) -> None:
+        feed, others = self._session.connected.feed, None if self._session.running.running else measure
+        plan = CheckupPlan(CHECK_S, watching=measure if feed is None else MeasuringBeside(feed, others))
+        self.checkup = CheckupDialog(partial(check_up, plan), plan.machine, self._session.tasks, self._theme, self)
+        self.checkup.finished.connect(self.checkup.deleteLater)
+        self.checkup.open()
 
     def _choose(self, name: str) -> None:
         self._chosen = name

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
+from fruitgui.gui.shots import checkups
 from fruitgui.gui.shots.setting_up import SettingUp, setting_up, simulated_rig
 from fruitgui.gui.shots.stage import Scene, Stage
+from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
 from fruitgui.gui.steps.connect.offers import SIMULATED
 from fruitgui.gui.steps.connect.page import ConnectPage
+from fruitgui.gui.steps.connect.rules_dialog import RulesDialog
+from fruitgui.gui.tasks import TaskRunner
+from fruitgui.progress import Cancelled, Progress
 from fruitgui.sensors.feed import Running
+from fruitgui.sensors.usb.machine import Machine
+from fruitgui.sensors.usb.udev import rules_file
+from fruitgui.station.checkup.records import Checkup
 from fruitgui.station.sources import Sources
 from fruitgui.station.workflow import Step
 
@@ -56,6 +64,42 @@ def _silent(stage: Stage) -> Iterator[QWidget]:
             rig.sensors[1].silent.clear()
 
 
+@contextmanager
+def _checkup(stage: Stage, found: Callable[[], Checkup]) -> Iterator[QWidget]:
+    with _checked(stage, found) as dialog:
+        yield dialog
+
+
+@contextmanager
+def _rules(stage: Stage) -> Iterator[QWidget]:
+    with _checked(stage, checkups.much_wrong) as dialog:
+        target = Path("/etc/udev/rules.d/60-fruitgui.rules")
+        source = Path("/opt/fruitgui/resources/udev/60-fruitgui.rules")
+        command = f"pkexec install -D -m 0644 {source} {target}"
+        shown = RulesDialog(target, command, rules_file().read_text(encoding="utf-8"), dialog)
+        shown.show()
+        yield shown
+
+
+@contextmanager
+def _checked(stage: Stage, found: Callable[[], Checkup]) -> Iterator[CheckupDialog]:
+    def check(progress: Progress, cancelled: Cancelled) -> Checkup:  # noqa: ARG001 - it was made before
+        return found()
+
+    tasks = TaskRunner()
+    dialog = CheckupDialog(check, Machine(), tasks, stage.theme)
+    dialog.show()
+    stage.wait_until(lambda: not dialog.busy)
+    try:
+        yield dialog
+    finally:
+        dialog.reject()
+        dialog.deleteLater()
+        tasks.close()
+        tasks.deleteLater()
+        stage.settle()
+
+
 SCENES: tuple[Scene, ...] = (
     Scene("connect-nothing", partial(_nothing, chosen=SIMULATED)),
     Scene("connect-recording", partial(_nothing, chosen="recording")),
@@ -63,4 +107,8 @@ SCENES: tuple[Scene, ...] = (
     Scene("connect-two", partial(_running, layout="opposed", sensors=2)),
     Scene("connect-eight", partial(_running, layout="chain", sensors=8)),
     Scene("connect-silent", _silent),
+    Scene("connect-checkup-nothing", partial(_checkup, found=checkups.nothing)),
+    Scene("connect-checkup-good", partial(_checkup, found=checkups.all_well)),
+    Scene("connect-checkup-wrong", partial(_checkup, found=checkups.much_wrong)),
+    Scene("connect-checkup-rules", _rules),
 )
