@@ -43,6 +43,11 @@ WORDS: Mapping[str, tuple[str, str]] = {
         "{sensors} share one USB controller ({controller}); it has room for one Kinect with colour and depth.",
         "No other controller with room is known here: try other sockets, or add a USB card for each further Kinect.",
     ),
+    "bus_tight": (
+        "{sensors} share one USB controller ({controller}), which is sure to carry one Kinect with colour and depth; "
+        "they ran without loss now.",
+        "Watch whether it stays so. If not, give one of them another controller.",
+    ),
     "usbfs_memory": (
         "All programs together may hold {have} MB for USB, and these sensors need {need} MB.",
         "As the administrator: echo {want} > /sys/module/usbcore/parameters/usbfs_memory_mb; to keep it, add "
@@ -110,13 +115,17 @@ WORDS: Mapping[str, tuple[str, str]] = {
         "It gave no picture in {seconds} s.",
         "Check its power adapter and cable; give it a socket of its own, not on a hub.",
     ),
+    "fell_silent": (
+        "It stopped giving pictures while it was watched.",
+        "Check that its plugs sit firmly, and its power adapter.",
+    ),
     "slow": (
         "It gives {rate} of {nominal} pictures a second.",
         "Give it a USB controller of its own, and close other programs.",
     ),
     "loses": (
         "It lost {lost} of {all} pictures.",
-        "Use a shorter cable without a hub, and a USB controller of its own.",
+        "Use a shorter cable without a hub, a USB controller of its own, and close other programs.",
     ),
 }
 """What is wrong, and what to do, by code."""

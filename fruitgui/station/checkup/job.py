@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
@@ -28,6 +28,10 @@ SLOW_SHARE = 0.75
 
 LOST_SHARE = 0.02
 """From this share of lost pictures on, they are a problem."""
+
+
+TOLD_STATES = {"sensor_busy": SensorState.BUSY, "sensor_not_allowed": SensorState.NO_ACCESS}
+"""The states that a driver's own words tell, by their code."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +73,8 @@ def check_up(plan: CheckupPlan, progress: Progress = no_progress, cancelled: Can
     loads = bus_loads(
         (one.place.bus, one.name) for one in sensors if one.make == "kinect" and one.place.bus is not None
     )
-    problems = [*_nothing(view, found, answered), *missing, *answered, *view.problems, *_full_buses(view, loads)]
+    full = _full_buses(view, loads, {one.name for one in sensors if _runs_well(one)})
+    problems = [*_nothing(view, found, answered), *missing, *answered, *view.problems, *full]
     progress(1.0, "Done")
     return Checkup(sensors, tuple(problems), _controllers(view, sensors, loads))
 
@@ -93,8 +98,10 @@ def _with_outcome(checked: CheckedSensor, outcome: Outcome | None, seconds: floa
     if outcome is None:
         return checked
     problems = [*_still_true(checked.problems, outcome), *_of_outcome(checked, outcome, seconds)]
-    busy = checked.state is SensorState.BUSY and outcome.state is SensorState.FAILED
-    state = SensorState.BUSY if busy else outcome.state
+    state = outcome.state
+    if state is SensorState.FAILED:
+        told = None if outcome.error is None else TOLD_STATES.get(outcome.error.code)
+        state = told or (SensorState.BUSY if checked.state is SensorState.BUSY else state)
     return replace(checked, state=state, measured=outcome.measured, problems=tuple(problems))
 
 
@@ -114,7 +121,7 @@ def _of_outcome(checked: CheckedSensor, outcome: Outcome, seconds: float) -> lis
     measured = outcome.measured
     if measured is None:
         return [problem("silent", seconds=f"{seconds:g}")]
-    found = []
+    found = [problem("fell_silent")] if outcome.state is SensorState.SILENT and measured.frames else []
     if measured.rate_hz < SLOW_SHARE * measured.nominal_hz:
         found.append(problem("slow", rate=f"{measured.rate_hz:.1f}", nominal=f"{measured.nominal_hz:.1f}"))
     everything = measured.frames + measured.lost
@@ -129,7 +136,12 @@ def _nothing(view: UsbView, found: Sequence[Joined], answered: Sequence[Problem]
     return [problem("nothing_connected" if view.shown else "no_usb")]
 
 
-def _full_buses(view: UsbView, loads: Sequence[BusLoad]) -> list[Problem]:
+def _runs_well(sensor: CheckedSensor) -> bool:
+    return sensor.state is SensorState.RUNNING and not any(one.code in ("slow", "loses") for one in sensor.problems)
+
+
+def _full_buses(view: UsbView, loads: Sequence[BusLoad], run_well: Collection[str]) -> list[Problem]:
+    """Return a problem for each bus with more Kinects than it is sure to carry: some controllers carry more."""
     loaded = {view.tree.controller(load.bus) for load in loads}
     fast = [bus for bus in view.tree.buses.values() if bus.speed_mbps >= HIGH_SPEED_MBPS]
     free = [bus.controller for bus in fast if bus.controller not in loaded]
@@ -138,7 +150,10 @@ def _full_buses(view: UsbView, loads: Sequence[BusLoad]) -> list[Problem]:
         address = view.tree.controller(load.bus)
         controller = f"bus {load.bus}" if address is None else f"{address}, bus {load.bus}"
         values = {"sensors": ", ".join(load.kinects), "controller": controller}
-        found.append(problem("bus_full", **values, free=free[0]) if free else problem("buses_full", **values))
+        if all(name in run_well for name in load.kinects):
+            found.append(problem("bus_tight", **values))
+        else:
+            found.append(problem("bus_full", **values, free=free[0]) if free else problem("buses_full", **values))
     return found
 
 

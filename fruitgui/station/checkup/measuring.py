@@ -11,12 +11,19 @@ from fruitgui.errors import FruitguiError
 from fruitgui.progress import Cancelled, Progress, stop_if
 from fruitgui.sensors.feed import Feed, Running, SensorHealth
 from fruitgui.sensors.sensor import Sensor
+from fruitgui.sensors.turns import Schedule
 from fruitgui.station.checkup.records import Measured, SensorState
 
 START_S = 10.0
-"""How long sensors may take to give their first picture."""
+"""How long sensors may take to give their first pictures."""
+
+FIRST_FRAMES = 8
+"""Pictures that are not counted: with the first one tables are made, and some are lost meanwhile."""
 
 LOOK_S = 0.05
+
+ALL_SHINE = Schedule()
+"""Nobody takes turns: what counts is what the USB carries, not what the projectors spoil for each other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +62,7 @@ def measure(
     """
     if not sensors:
         return {}
-    feed = Feed(sensors)
+    feed = Feed(sensors, ALL_SHINE)
     hung: tuple[str, ...] = ()
     try:
         feed.start()
@@ -108,12 +115,12 @@ def watch(feed: Feed, seconds: float, progress: Progress, cancelled: Cancelled) 
 
 
 def _wait_for_first(feed: Feed, progress: Progress, cancelled: Cancelled) -> None:
-    """Wait until every sensor has given a picture or failed, not for ever."""
+    """Wait until every sensor has given its first pictures or failed, not for ever."""
     began_s = time.monotonic()
     while (passed_s := time.monotonic() - began_s) < START_S:
         stop_if(cancelled)
         health = [feed.health(name) for name in feed.sensors]
-        if all(one.frames or one.state in (Running.FAILED, Running.ENDED) for one in health):
+        if all(one.frames >= FIRST_FRAMES or one.state in (Running.FAILED, Running.ENDED) for one in health):
             return
         progress(0.1 + 0.2 * passed_s / START_S, "Starting the sensors")
         time.sleep(LOOK_S)
@@ -121,8 +128,12 @@ def _wait_for_first(feed: Feed, progress: Progress, cancelled: Cancelled) -> Non
 
 def _outcome(before: SensorHealth, after: SensorHealth, seconds: float) -> Outcome:
     frames = after.frames - before.frames
-    if not frames:
-        failed = after.state is Running.FAILED or (after.error is not None and not after.frames)
-        return Outcome(SensorState.FAILED if failed else SensorState.SILENT, error=after.error)
-    lost = after.drops - before.drops
-    return Outcome(SensorState.RUNNING, Measured(frames / seconds, after.nominal_hz, frames, lost))
+    lost = after.drops - before.drops + after.damaged - before.damaged
+    measured = Measured(frames / seconds, after.nominal_hz, frames, lost) if frames or lost else None
+    if after.hangs:
+        return Outcome(SensorState.HANGS, measured)
+    if after.state is Running.FAILED or (after.error is not None and not after.frames):
+        return Outcome(SensorState.FAILED, measured, after.error)
+    if not frames or after.state is Running.SILENT:
+        return Outcome(SensorState.SILENT, measured, after.error)
+    return Outcome(SensorState.RUNNING, measured)

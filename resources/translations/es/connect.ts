@@ -32,6 +32,14 @@
         <translation>No se conoce aquí otro controlador con lugar: pruebe otros puertos, o agregue una tarjeta USB por cada Kinect más.</translation>
     </message>
     <message>
+        <source>{sensors} share one USB controller ({controller}), which is sure to carry one Kinect with colour and depth; they ran without loss now.</source>
+        <translation>{sensors} comparten un controlador USB ({controller}), que de seguro lleva un Kinect con color y profundidad; ahora funcionaron sin pérdidas.</translation>
+    </message>
+    <message>
+        <source>Watch whether it stays so. If not, give one of them another controller.</source>
+        <translation>Observe si sigue así. Si no, déle a uno de ellos otro controlador.</translation>
+    </message>
+    <message>
         <source>All programs together may hold {have} MB for USB, and these sensors need {need} MB.</source>
         <translation>Todos los programas juntos pueden ocupar {have} MB para USB, y estos sensores necesitan {need} MB.</translation>
     </message>
@@ -160,6 +168,14 @@
         <translation>Revise su adaptador de corriente y su cable; déle un puerto propio, sin concentrador.</translation>
     </message>
     <message>
+        <source>It stopped giving pictures while it was watched.</source>
+        <translation>Dejó de dar imágenes mientras se lo observaba.</translation>
+    </message>
+    <message>
+        <source>Check that its plugs sit firmly, and its power adapter.</source>
+        <translation>Revise que sus enchufes estén firmes, y su adaptador de corriente.</translation>
+    </message>
+    <message>
         <source>It gives {rate} of {nominal} pictures a second.</source>
         <translation>Da {rate} de {nominal} imágenes por segundo.</translation>
     </message>
@@ -172,8 +188,8 @@
         <translation>Perdió {lost} de {all} imágenes.</translation>
     </message>
     <message>
-        <source>Use a shorter cable without a hub, and a USB controller of its own.</source>
-        <translation>Use un cable más corto, sin concentrador, y un controlador USB propio.</translation>
+        <source>Use a shorter cable without a hub, a USB controller of its own, and close other programs.</source>
+        <translation>Use un cable más corto, sin concentrador, un controlador USB propio, y cierre otros programas.</translation>
     </message>
     <message>
         <source>ready</source>

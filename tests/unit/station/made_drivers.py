@@ -14,7 +14,10 @@ from tests.unit.sensors.scripted import CAMERA, small_frame
 
 
 class RunningSensor:
-    """Gives a frame every `period_s`, leaving numbers out as `lose` says; or none, or cannot be opened, or hangs."""
+    """Gives a frame every `period_s`, leaving numbers out as `lose` says; or none, or cannot be opened, or hangs.
+
+    After `frames_left` frames it falls silent, or fails with its `last`.
+    """
 
     def __init__(self, serial: str, *, period_s: float = 0.02, promised_hz: float = 30.0) -> None:
         self._serial = serial
@@ -23,6 +26,8 @@ class RunningSensor:
         self._sequence = 0
         self.lose = 0
         self.silent = False
+        self.frames_left: int | None = None
+        self.last: Exception | None = None
         self.error: Exception | None = None
         self.hangs = threading.Event()
         self.let_go = threading.Event()
@@ -43,11 +48,16 @@ class RunningSensor:
         pass
 
     def read(self, timeout_s: float) -> Frame:
+        if self.frames_left == 0:
+            self.silent, self.error = self.last is None, self.last
+        if self.error is not None:
+            raise self.error
         if self.silent:
             time.sleep(timeout_s)
             raise SensorTimeoutError(self._serial, timeout_s)
         time.sleep(self._period_s)
         self._sequence += 1 + self.lose
+        self.frames_left = None if self.frames_left is None else self.frames_left - 1
         return small_frame(self._serial, self._sequence)
 
     def projector(self, on: bool) -> None:

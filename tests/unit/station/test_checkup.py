@@ -208,6 +208,30 @@ def test_a_vendors_driver_is_asked_only_where_the_usb_shows_its_device(tmp_path:
 
 
 @pytest.mark.usefixtures("no_leaked_threads")
+def test_two_kinects_that_run_well_on_one_controller_are_only_to_be_watched(tmp_path: Path) -> None:
+    listed = [PluggedDevice("kinect", "Kinect 1414", serial, bus=2) for serial in ("A1", "B2")]
+    driver = MadeDriver("kinect", listed)
+    for sensor in driver.sensors.values():
+        sensor._promised_hz = 1.0
+    assert [one.code for one in look(tmp_path, driver, seconds=SECONDS).problems] == ["bus_tight"]
+    driver.sensors["B2"].lose = 1
+    assert [one.code for one in look(tmp_path, driver, seconds=SECONDS).problems] == ["buses_full"]
+
+
+@pytest.mark.usefixtures("no_leaked_threads")
+def test_what_a_driver_says_when_it_cannot_open_is_the_state(tmp_path: Path) -> None:
+    driver = kinects("A1", "B2", "C3")
+    told = {"A1": "sensor_busy", "B2": "sensor_not_allowed", "C3": "usb_full"}
+    for serial, code in told.items():
+        driver.sensors[serial].error = WorldError(code, "It is so.", "Change it.")
+    found = look(tmp_path, driver, seconds=SECONDS)
+    states = [SensorState.BUSY, SensorState.NO_ACCESS, SensorState.FAILED]
+    assert [(one.state, codes(one)) for one in found.sensors] == [
+        (state, [code]) for state, code in zip(states, told.values(), strict=True)
+    ]
+
+
+@pytest.mark.usefixtures("no_leaked_threads")
 def test_rate_and_loss_are_measured_with_all_running_at_once(tmp_path: Path) -> None:
     driver = kinects("A1", "B2")
     driver.sensors["B2"].lose = 1
@@ -236,10 +260,10 @@ def test_a_slow_sensor_is_said(tmp_path: Path) -> None:
 @pytest.mark.usefixtures("no_leaked_threads")
 def test_a_sensor_that_cannot_be_opened_says_why_and_the_others_run(tmp_path: Path) -> None:
     driver = kinects("A1", "B2", "C3")
-    driver.sensors["A1"].error = WorldError("sensor_busy", "It is in use.", "Close the other program.")
+    driver.sensors["A1"].error = WorldError("broken", "It is broken.", "Mend it.")
     driver.sensors["B2"].error = ZeroDivisionError("a bug")
     first, second, third = look(tmp_path, driver, seconds=SECONDS).sensors
-    assert (first.state, codes(first)) == (SensorState.FAILED, ["sensor_busy"])
+    assert (first.state, codes(first)) == (SensorState.FAILED, ["broken"])
     assert (second.state, codes(second)) == (SensorState.FAILED, ["sensor_failed"])
     assert third.state is SensorState.RUNNING
 
@@ -266,6 +290,26 @@ def test_a_silent_sensor_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     (sensor,) = look(tmp_path, driver, seconds=0.1).sensors
     assert (sensor.state, codes(sensor)) == (SensorState.SILENT, ["silent"])
     assert sensor.measured is None
+
+
+@pytest.mark.usefixtures("no_leaked_threads")
+@pytest.mark.parametrize(
+    ("then", "state", "problems"),
+    [
+        (WorldError("sensor_gone", "It is gone.", "Plug it in."), SensorState.FAILED, ["sensor_gone"]),
+        (None, SensorState.SILENT, ["fell_silent"]),
+    ],
+)
+def test_a_sensor_that_stops_while_it_is_watched_is_said(
+    tmp_path: Path, then: WorldError | None, state: SensorState, problems: list[str]
+) -> None:
+    driver = kinects("A1")
+    sensor = driver.sensors["A1"]
+    sensor.frames_left, sensor.last = 12, then
+    (checked,) = look(tmp_path, driver, seconds=2.5).sensors
+    assert (checked.state, codes(checked)[:1]) == (state, problems)
+    assert checked.measured is not None
+    assert checked.measured.frames <= 12
 
 
 def test_a_driver_that_hangs_when_opened_is_left_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -61,6 +61,14 @@ def _of_the_system() -> Mapping[str, tuple[str, str]]:
                 "Kinect.",
             ),
         ),
+        "bus_tight": (
+            translate(
+                "Checkup",
+                "{sensors} share one USB controller ({controller}), which is sure to carry one Kinect with colour and "
+                "depth; they ran without loss now.",
+            ),
+            translate("Checkup", "Watch whether it stays so. If not, give one of them another controller."),
+        ),
         "usbfs_memory": (
             translate("Checkup", "All programs together may hold {have} MB for USB, and these sensors need {need} MB."),
             translate(
@@ -153,13 +161,19 @@ def _while_it_runs() -> Mapping[str, tuple[str, str]]:
             translate("Checkup", "It gave no picture in {seconds} s."),
             translate("Checkup", "Check its power adapter and cable; give it a socket of its own, not on a hub."),
         ),
+        "fell_silent": (
+            translate("Checkup", "It stopped giving pictures while it was watched."),
+            translate("Checkup", "Check that its plugs sit firmly, and its power adapter."),
+        ),
         "slow": (
             translate("Checkup", "It gives {rate} of {nominal} pictures a second."),
             translate("Checkup", "Give it a USB controller of its own, and close other programs."),
         ),
         "loses": (
             translate("Checkup", "It lost {lost} of {all} pictures."),
-            translate("Checkup", "Use a shorter cable without a hub, and a USB controller of its own."),
+            translate(
+                "Checkup", "Use a shorter cable without a hub, a USB controller of its own, and close other programs."
+            ),
         ),
     }
 

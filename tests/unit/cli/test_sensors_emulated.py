@@ -1,0 +1,151 @@
+"""`fruitgui sensors` with the real libfreenect on Kinects of an emulated USB bus: found, run, told what is wrong."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+import threading
+import time
+from collections.abc import Callable
+from contextlib import redirect_stdout
+from pathlib import Path
+from typing import Any
+
+from tests.emulated_usb.emulation import MODEL_1473, Emulation, Hang, Kinect
+from tests.emulated_usb.outside import inside, run_command
+from tests.emulated_usb.player import Player
+
+HEAVY = ("open3d", "pyrealsense2", "pyorbbecsdk", "depthai", "PySide6")
+
+
+def sensors(*arguments: str) -> dict[str, Any]:
+    """Return what the command prints."""
+    from fruitgui.cli import main
+
+    out = io.StringIO()
+    with redirect_stdout(out):
+        assert main(["sensors", "--json", *arguments]) == 0
+    assert [name for name in HEAVY if name in sys.modules] == []
+    value: dict[str, Any] = json.loads(out.getvalue())
+    return value
+
+
+def codes(value: dict[str, Any]) -> list[tuple[str, list[str]]]:
+    """Return state and problems of each sensor."""
+    return [(one["state"], [each["code"] for each in one["problems"]]) for one in value["sensors"]]
+
+
+def test_kinects_are_listed_with_their_rates() -> None:
+    kinects = [{"serial": "A1", "bus": 1}, {"serial": "B2", "bus": 2, "model": MODEL_1473}]
+    done = run_command({"kinects": kinects}, "sensors", "--json", "--seconds", "1")
+    assert done.returncode == 0, done.stderr
+    value = json.loads(done.stdout)
+    first, second = value["sensors"]
+    assert [(one["id"], one["make"], one["model"], one["serial"]) for one in (first, second)] == [
+        ("kinect_1", "kinect", "Kinect 1414", "A1"),
+        ("kinect_2", "kinect", "Kinect 1473", "B2"),
+    ]
+    for one in (first, second):
+        assert one["state"] == "running"
+        assert 0.0 < one["rate_hz"]["color"] == one["rate_hz"]["depth"] < 40.0
+        assert one["lost_frames"] >= 0
+    assert (first["usb"]["bus"], second["usb"]["bus"]) == (1, 2)
+    assert first["limits"] == []
+    assert second["limits"] != []
+    assert value["problems"] == []
+
+
+@inside
+def test_without_being_run_they_are_ready_and_full_buses_are_said(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1", bus=1), Kinect("B2", bus=1), Kinect("C3", bus=2))
+    value = sensors("--seconds", "0")
+    assert codes(value) == [("ready", [])] * 3
+    (full,) = value["problems"]
+    assert full["code"] == "buses_full"
+    assert "kinect_1, kinect_2" in full["what"]
+
+
+@inside
+def test_an_empty_bus_is_no_failure(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in()
+    value = sensors()
+    assert value["sensors"] == []
+    assert len(value["problems"]) == 1
+
+
+@inside
+def test_one_that_may_not_be_opened_is_said_and_the_other_runs(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"))
+    usb.denied(0, on=True)
+    with Player(usb):
+        value = sensors("--seconds", "0.5")
+    assert codes(value)[0] == ("failed", ["closed"])
+    assert "--install-udev-rules" in value["sensors"][0]["problems"][0]["remedy"]
+    assert value["sensors"][1]["state"] == "running"
+
+
+@inside
+def test_one_that_another_program_uses_is_said(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"))
+    usb.busy(0, on=True)
+    with Player(usb):
+        assert codes(sensors("--seconds", "0.5")) == [("busy", ["sensor_busy"])]
+
+
+@inside
+def test_a_controller_without_room_is_said(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"))
+    usb.no_bandwidth(0, on=True)
+    with Player(usb):
+        assert codes(sensors("--seconds", "0.5")) == [("failed", ["usb_full"])]
+
+
+@inside
+def test_one_that_loses_packets_is_said(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"))
+    usb.lose_every(1, 400)
+    with Player(usb):
+        value = sensors("--seconds", "1.5")
+    assert "loses" in codes(value)[1][1]
+    assert value["sensors"][1]["lost_frames"] > 0
+
+
+@inside
+def test_one_that_two_others_look_like_is_not_run(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("A1"))
+    assert codes(sensors("--seconds", "0.5")) == [("failed", ["closed"])] * 2
+
+
+@inside
+def test_one_that_is_unplugged_meanwhile_is_said(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"))
+    unplugging = threading.Thread(target=_when, args=(lambda: usb.shines(0), lambda: usb.plug(0, on=False)))
+    unplugging.start()
+    with Player(usb):
+        ((state, problems),) = codes(sensors("--seconds", "4"))
+    unplugging.join(60.0)
+    assert state in ("failed", "silent")
+    assert problems
+
+
+@inside
+def test_a_kinect_that_hangs_does_not_hang_the_command(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"))
+    hanging = threading.Thread(target=_when, args=(lambda: usb.shines(0), lambda: usb.hang(0, Hang.CONTROL)))
+    hanging.start()
+    try:
+        with Player(usb):
+            value = sensors("--seconds", "3")
+    finally:
+        hanging.join(60.0)
+        usb.hang(0, Hang.NOTHING)
+    assert codes(value)[0] == ("hangs", ["hangs"])
+    assert value["sensors"][1]["state"] == "running"
+
+
+def _when(true: Callable[[], bool], then: Callable[[], None]) -> None:
+    end_s = time.monotonic() + 60.0
+    while not true() and time.monotonic() < end_s:
+        time.sleep(0.005)
+    then()
