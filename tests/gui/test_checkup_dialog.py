@@ -21,13 +21,16 @@ from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_source
 from fruitgui.gui.steps.connect.checkup_cards import CheckedSensorCard
 from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
 from fruitgui.gui.steps.connect.checkup_words import problem_words, said
+from fruitgui.gui.steps.connect.driver_words import _limits, fault_words, limit_words
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.tasks import Job, TaskRunner
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.translate import Language
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+from fruitgui.sensors.kinect import faults
+from fruitgui.sensors.kinect.models import KINECT_1414, KINECT_1473, KINECT_FOR_WINDOWS
 from fruitgui.sensors.usb.machine import Machine
-from fruitgui.sensors.usb.problems import WORDS, problem
+from fruitgui.sensors.usb.problems import WORDS, problem, problem_of
 from fruitgui.sensors.usb.udev import rules_are_installed
 from fruitgui.simulation.scenes import still_scene
 from fruitgui.station.checkup.measuring import MeasuringBeside, Outcome
@@ -264,10 +267,24 @@ def test_the_window_knows_every_problem_with_all_its_values() -> None:
 
 
 def test_what_only_a_driver_knows_is_said_as_it_is() -> None:
-    from fruitgui.sensors.usb.problems import problem_of
-
     assert said(problem_of(WorldError("of_tomorrow", "It {wobbles}.", "Hold it."))) == ("It {wobbles}.", "Hold it.")
     assert said(problem("slow", rate="9.4", nominal="30.0"))[0] == "It gives 9.4 of 30.0 pictures a second."
+
+
+def test_a_drivers_error_with_the_code_of_something_else_is_said_as_it_is() -> None:
+    assert said(problem_of(WorldError("slow", "It dozes.", "Wake it."))) == ("It dozes.", "Wake it.")
+
+
+def test_what_the_kinects_driver_says_is_known() -> None:
+    errors = [
+        faults.not_there("A1", []), faults.not_allowed("A1"), faults.not_obeyed("A1", []), faults.usb_full("A1"),
+        faults.hangs("A1"), faults.not_opened("A1", ["LIBUSB_ERROR_BUSY"]),
+    ]  # fmt: skip
+    assert [error.code for error in errors if error.code not in fault_words()] == []
+    said_of = [limit for model in (KINECT_1414, KINECT_1473, KINECT_FOR_WINDOWS) for limit in model.limits]
+    assert said_of
+    assert [limit for limit in said_of if limit_words(limit) != limit] == [], "English stays as it is"
+    assert [limit for limit in said_of if not any(limit.startswith(known) for known in _limits())] == []
 
 
 # from the connect screen

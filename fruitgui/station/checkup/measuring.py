@@ -120,7 +120,9 @@ def _wait_for_first(feed: Feed, progress: Progress, cancelled: Cancelled) -> Non
     while (passed_s := time.monotonic() - began_s) < START_S:
         stop_if(cancelled)
         health = [feed.health(name) for name in feed.sensors]
-        if all(one.frames >= FIRST_FRAMES or one.state in (Running.FAILED, Running.ENDED) for one in health):
+        if all(
+            one.frames + one.damaged >= FIRST_FRAMES or one.state in (Running.FAILED, Running.ENDED) for one in health
+        ):
             return
         progress(0.1 + 0.2 * passed_s / START_S, "Starting the sensors")
         time.sleep(LOOK_S)

@@ -613,6 +613,93 @@
     </message>
 </context>
 <context>
+    <name>Driver</name>
+    <message>
+        <source>The library for Kinects is not installed.</source>
+        <translation>La biblioteca para los Kinects no está instalada.</translation>
+    </message>
+    <message>
+        <source>In a terminal: sudo apt install libfreenect0.5. Then start this program again.</source>
+        <translation>En una terminal: sudo apt install libfreenect0.5. Luego inicie este programa de nuevo.</translation>
+    </message>
+    <message>
+        <source>The library for USB is not installed.</source>
+        <translation>La biblioteca para USB no está instalada.</translation>
+    </message>
+    <message>
+        <source>In a terminal: sudo apt install libusb-1.0-0. Then start this program again.</source>
+        <translation>En una terminal: sudo apt install libusb-1.0-0. Luego inicie este programa de nuevo.</translation>
+    </message>
+    <message>
+        <source>It is not plugged in.</source>
+        <translation>No está enchufado.</translation>
+    </message>
+    <message>
+        <source>Check its USB cable and its power adapter; it starts by itself when it returns.</source>
+        <translation>Revise su cable USB y su adaptador de corriente; se inicia por sí solo cuando vuelve.</translation>
+    </message>
+    <message>
+        <source>The system does not let you use it.</source>
+        <translation>El sistema no le permite usarlo.</translation>
+    </message>
+    <message>
+        <source>Press “Check sensors…” and there “Let me use them…”.</source>
+        <translation>Presione “Revisar sensores…” y allí “Permitir usarlos…”.</translation>
+    </message>
+    <message>
+        <source>Another program uses it.</source>
+        <translation>Otro programa lo usa.</translation>
+    </message>
+    <message>
+        <source>Close that program; “Check sensors…” tells which it is.</source>
+        <translation>Cierre ese programa; “Revisar sensores…” dice cuál es.</translation>
+    </message>
+    <message>
+        <source>Another Kinect has the same serial: they cannot be told apart.</source>
+        <translation>Otro Kinect tiene la misma serie: no se pueden distinguir.</translation>
+    </message>
+    <message>
+        <source>Leave only one of them plugged in.</source>
+        <translation>Deje enchufado solo uno de ellos.</translation>
+    </message>
+    <message>
+        <source>It does not do what it is told.</source>
+        <translation>No hace lo que se le indica.</translation>
+    </message>
+    <message>
+        <source>Unplug its USB cable and its power adapter, wait five seconds, and plug both in again.</source>
+        <translation>Desenchufe su cable USB y su adaptador de corriente, espere cinco segundos y enchufe ambos de nuevo.</translation>
+    </message>
+    <message>
+        <source>It does not answer.</source>
+        <translation>No responde.</translation>
+    </message>
+    <message>
+        <source>No room is left for its pictures on its USB controller.</source>
+        <translation>En su controlador USB no queda lugar para sus imágenes.</translation>
+    </message>
+    <message>
+        <source>Plug it into a socket of another USB controller: each carries one Kinect.</source>
+        <translation>Enchúfelo en un puerto de otro controlador USB: cada uno lleva un Kinect.</translation>
+    </message>
+    <message>
+        <source>Its LED, tilt and accelerometer answer only with a firmware of Microsoft&apos;s that cannot be handed on: a bump is seen in the pictures only.</source>
+        <translation>Su LED, su inclinación y su acelerómetro responden solo con un firmware de Microsoft que no se puede entregar: un golpe se nota solo en las imágenes.</translation>
+    </message>
+    <message>
+        <source>It is known by the serial of its microphone, since its camera has none.</source>
+        <translation>Se lo conoce por la serie de su micrófono, porque su cámara no tiene.</translation>
+    </message>
+    <message>
+        <source>Its near mode is not used.</source>
+        <translation>No se usa su modo cercano.</translation>
+    </message>
+    <message>
+        <source>It cannot be told apart from another one that has the same serial: plug in only one of them.</source>
+        <translation>No se puede distinguir de otro que tiene la misma serie: enchufe solo uno de ellos.</translation>
+    </message>
+</context>
+<context>
     <name>ProblemCard</name>
     <message>
         <source>This computer</source>

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWi
 
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.steps.connect.checkup_words import measured_text, place_text, said, state_words
+from fruitgui.gui.steps.connect.driver_words import limit_words
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
@@ -70,7 +71,7 @@ class CheckedSensorCard(Card):
         for problem in sensor.problems:
             self.body.addLayout(_problem_row(theme, problem))
         for limit in sensor.limits:
-            self.body.addWidget(_wrapped(limit, "small"))
+            self.body.addWidget(_wrapped(limit_words(limit), "small"))
 
 
 class ControllerCard(Card):

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from PySide6.QtCore import QCoreApplication
 
 from fruitgui.gui.numbers import count_text, number_text
+from fruitgui.gui.steps.connect.driver_words import fault_words
 from fruitgui.gui.steps.connect.words import Condition
 from fruitgui.progress import Progress
 from fruitgui.sensors.usb.problems import Problem
@@ -180,12 +181,14 @@ def _while_it_runs() -> Mapping[str, tuple[str, str]]:
 
 def said(problem: Problem) -> tuple[str, str]:
     """Return what is wrong and what to do, in the operator's language."""
-    words = problem_words().get(problem.code)
+    words = problem_words().get(problem.code) or fault_words().get(problem.code)
     if words is None:
         return problem.what, problem.remedy
-    what, remedy = words
     values = {name: _number(text) if name in RATES else text for name, text in problem.values.items()}
-    return what.format(**values), remedy.format(**values)
+    try:
+        return words[0].format(**values), words[1].format(**values)
+    except KeyError:  # a driver's error that happens to have the code of something else
+        return problem.what, problem.remedy
 
 
 def _number(text: str) -> str:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QCoreApplication
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui.numbers import count_text, number_text
+from fruitgui.gui.steps.connect.driver_words import fault_words
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.station_file import SENSOR_ID
 
@@ -82,7 +83,7 @@ def _running(health: SensorHealth) -> Condition:
 def _failure(error: FruitguiError | None) -> str:
     if error is None or error.code == "sensor_failed":
         return translate("Connect", "It is opened again by itself; if it stays away, unplug it and plug it in again.")
-    return f"{error.what} {error.remedy}"
+    return " ".join(fault_words().get(error.code, (error.what, error.remedy)))
 
 
 def rate_text(health: SensorHealth | None) -> str:
