@@ -112,7 +112,7 @@ def test_all_of_it_is_said_in_one_sentence(
 def test_where_nothing_is_connected_it_says_what_to_check(qtbot: QtBot, opened: Opening) -> None:
     dialog = opened(finding(checkups.nothing()))
     done(qtbot, dialog)
-    assert any("power adapter" in text for text in texts(dialog))
+    assert any("power supply" in text for text in texts(dialog))
 
 
 def test_it_shows_how_far_it_is_and_can_be_stopped_and_begun_again(qtbot: QtBot, opened: Opening) -> None:

@@ -28,7 +28,7 @@ WORDS: Mapping[str, tuple[str, str]] = {
     # of the system
     "nothing_connected": (
         "No depth sensor was found on this computer.",
-        "Plug one in straight at the computer, switch its power adapter on, and check again after ten seconds.",
+        "Plug one in straight at the computer, switch its power supply on, and check again after ten seconds.",
     ),
     "no_usb": (
         "No depth sensor was found: this system shows no USB at all.",
@@ -64,7 +64,7 @@ WORDS: Mapping[str, tuple[str, str]] = {
     # of one sensor
     "no_power": (
         "A Kinect shows its motor but no camera: it has no power.",
-        "Plug in its power adapter, at the wall and at the cable. USB alone does not feed a Kinect.",
+        "Plug in its power supply, at the wall and at the cable. USB alone does not feed a Kinect.",
     ),
     "unsupported": (
         "There is no driver for {model} in this version.",
@@ -97,7 +97,7 @@ WORDS: Mapping[str, tuple[str, str]] = {
     ),
     "not_found": (
         "It is plugged in, but its driver does not find it.",
-        "Unplug it and plug it in again, with its power adapter.",
+        "Unplug it and plug it in again, with its power supply.",
     ),
     "no_serial": (
         "It has the same serial as another sensor, or none: they cannot be told apart.",
@@ -113,11 +113,11 @@ WORDS: Mapping[str, tuple[str, str]] = {
     ),
     "silent": (
         "It gave no picture in {seconds} s.",
-        "Check its power adapter and cable; give it a socket of its own, not on a hub.",
+        "Check its power supply and cable; give it a socket of its own, not on a hub.",
     ),
     "fell_silent": (
         "It stopped giving pictures while it was watched.",
-        "Check that its plugs sit firmly, and its power adapter.",
+        "Check that its plugs sit firmly, and its power supply.",
     ),
     "slow": (
         "It gives {rate} of {nominal} pictures a second.",

@@ -8,8 +8,8 @@
         <translation>No se encontró ningún sensor de profundidad en este computador.</translation>
     </message>
     <message>
-        <source>Plug one in straight at the computer, switch its power adapter on, and check again after ten seconds.</source>
-        <translation>Enchufe uno directamente en el computador, encienda su adaptador de corriente y revise de nuevo después de diez segundos.</translation>
+        <source>Plug one in straight at the computer, switch its power supply on, and check again after ten seconds.</source>
+        <translation>Enchufe uno directamente en el computador, encienda su fuente de poder y revise de nuevo después de diez segundos.</translation>
     </message>
     <message>
         <source>No depth sensor was found: this system shows no USB at all.</source>
@@ -68,8 +68,8 @@
         <translation>Un Kinect muestra su motor, pero no su cámara: no tiene corriente.</translation>
     </message>
     <message>
-        <source>Plug in its power adapter, at the wall and at the cable. USB alone does not feed a Kinect.</source>
-        <translation>Enchufe su adaptador de corriente, en la pared y en el cable. El USB solo no alimenta a un Kinect.</translation>
+        <source>Plug in its power supply, at the wall and at the cable. USB alone does not feed a Kinect.</source>
+        <translation>Enchufe su fuente de poder, en la pared y en el cable. El USB solo no alimenta a un Kinect.</translation>
     </message>
     <message>
         <source>There is no driver for {model} in this version.</source>
@@ -132,8 +132,8 @@
         <translation>Está enchufado, pero su controlador de software no lo encuentra.</translation>
     </message>
     <message>
-        <source>Unplug it and plug it in again, with its power adapter.</source>
-        <translation>Desenchúfelo y enchúfelo de nuevo, con su adaptador de corriente.</translation>
+        <source>Unplug it and plug it in again, with its power supply.</source>
+        <translation>Desenchúfelo y enchúfelo de nuevo, con su fuente de poder.</translation>
     </message>
     <message>
         <source>It has the same serial as another sensor, or none: they cannot be told apart.</source>
@@ -164,16 +164,16 @@
         <translation>No dio ninguna imagen en {seconds} s.</translation>
     </message>
     <message>
-        <source>Check its power adapter and cable; give it a socket of its own, not on a hub.</source>
-        <translation>Revise su adaptador de corriente y su cable; déle un puerto propio, sin concentrador.</translation>
+        <source>Check its power supply and cable; give it a socket of its own, not on a hub.</source>
+        <translation>Revise su fuente de poder y su cable; déle un puerto propio, sin concentrador.</translation>
     </message>
     <message>
         <source>It stopped giving pictures while it was watched.</source>
         <translation>Dejó de dar imágenes mientras se lo observaba.</translation>
     </message>
     <message>
-        <source>Check that its plugs sit firmly, and its power adapter.</source>
-        <translation>Revise que sus enchufes estén firmes, y su adaptador de corriente.</translation>
+        <source>Check that its plugs sit firmly, and its power supply.</source>
+        <translation>Revise que sus enchufes estén firmes, y su fuente de poder.</translation>
     </message>
     <message>
         <source>It gives {rate} of {nominal} pictures a second.</source>
@@ -374,12 +374,12 @@
         <translation>Sensores enchufados</translation>
     </message>
     <message>
-        <source>Devices that are plugged in appear here by themselves.</source>
-        <translation>Los dispositivos que se enchufan aparecen aquí por sí solos.</translation>
+        <source>Devices that are plugged in appear here by themselves. If one does not, press “Check sensors…”.</source>
+        <translation>Los dispositivos que se enchufan aparecen aquí por sí solos. Si alguno no aparece, presione “Revisar sensores…”.</translation>
     </message>
     <message>
-        <source>No device was found. Plug your sensors in and they appear here by themselves. Recordings (MCAP of ROS 2, bag of ROS 1) and the simulated rig work without any.</source>
-        <translation>No se encontró ningún dispositivo. Enchufe sus sensores y aparecerán aquí por sí solos. Las grabaciones (MCAP de ROS 2, bag de ROS 1) y el equipo simulado funcionan sin ninguno.</translation>
+        <source>No device was found. Plug your sensors in and they appear here by themselves; if one does not, press “Check sensors…”. Recordings (MCAP of ROS 2, bag of ROS 1) and the simulated rig work without any.</source>
+        <translation>No se encontró ningún dispositivo. Enchufe sus sensores y aparecen aquí por sí solos; si alguno no aparece, presione “Revisar sensores…”. Las grabaciones (MCAP de ROS 2, bag de ROS 1) y el equipo simulado funcionan sin ninguno.</translation>
     </message>
     <message>
         <source>One sensor</source>
@@ -635,8 +635,8 @@
         <translation>No está enchufado.</translation>
     </message>
     <message>
-        <source>Check its USB cable and its power adapter; it starts by itself when it returns.</source>
-        <translation>Revise su cable USB y su adaptador de corriente; se inicia por sí solo cuando vuelve.</translation>
+        <source>Check its USB cable and its power supply; it starts by itself when it returns.</source>
+        <translation>Revise su cable USB y su fuente de poder; se inicia por sí solo cuando vuelve.</translation>
     </message>
     <message>
         <source>The system does not let you use it.</source>
@@ -667,8 +667,8 @@
         <translation>No hace lo que se le indica.</translation>
     </message>
     <message>
-        <source>Unplug its USB cable and its power adapter, wait five seconds, and plug both in again.</source>
-        <translation>Desenchufe su cable USB y su adaptador de corriente, espere cinco segundos y enchufe ambos de nuevo.</translation>
+        <source>Unplug its USB cable and its power supply, wait five seconds, and plug both in again.</source>
+        <translation>Desenchufe su cable USB y su fuente de poder, espere cinco segundos y enchufe ambos de nuevo.</translation>
     </message>
     <message>
         <source>It does not answer.</source>

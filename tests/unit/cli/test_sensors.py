@@ -85,7 +85,7 @@ def test_nothing_connected_is_no_failure_and_says_what_to_check(
     plugged(monkeypatch, kinects())
     text = printed(capsys, "sensors", "--root", tmp_path)
     assert "No depth sensor was found" in text
-    assert "power adapter" in text
+    assert "power supply" in text
     value = json.loads(printed(capsys, "sensors", "--json", "--root", tmp_path))
     assert value["sensors"] == []
     assert [one["code"] for one in value["problems"]] == ["nothing_connected"]

@@ -30,7 +30,7 @@ def _of_the_system() -> Mapping[str, tuple[str, str]]:
             translate("Checkup", "No depth sensor was found on this computer."),
             translate(
                 "Checkup",
-                "Plug one in straight at the computer, switch its power adapter on, and check again after ten seconds.",
+                "Plug one in straight at the computer, switch its power supply on, and check again after ten seconds.",
             ),
         ),
         "no_usb": (
@@ -95,7 +95,7 @@ def _of_the_system() -> Mapping[str, tuple[str, str]]:
         "no_power": (
             translate("Checkup", "A Kinect shows its motor but no camera: it has no power."),
             translate(
-                "Checkup", "Plug in its power adapter, at the wall and at the cable. USB alone does not feed a Kinect."
+                "Checkup", "Plug in its power supply, at the wall and at the cable. USB alone does not feed a Kinect."
             ),
         ),
     }  # fmt: skip
@@ -139,7 +139,7 @@ def _before_it_runs() -> Mapping[str, tuple[str, str]]:
         ),
         "not_found": (
             translate("Checkup", "It is plugged in, but its driver does not find it."),
-            translate("Checkup", "Unplug it and plug it in again, with its power adapter."),
+            translate("Checkup", "Unplug it and plug it in again, with its power supply."),
         ),
         "no_serial": (
             translate("Checkup", "It has the same serial as another sensor, or none: they cannot be told apart."),
@@ -160,11 +160,11 @@ def _while_it_runs() -> Mapping[str, tuple[str, str]]:
         ),
         "silent": (
             translate("Checkup", "It gave no picture in {seconds} s."),
-            translate("Checkup", "Check its power adapter and cable; give it a socket of its own, not on a hub."),
+            translate("Checkup", "Check its power supply and cable; give it a socket of its own, not on a hub."),
         ),
         "fell_silent": (
             translate("Checkup", "It stopped giving pictures while it was watched."),
-            translate("Checkup", "Check that its plugs sit firmly, and its power adapter."),
+            translate("Checkup", "Check that its plugs sit firmly, and its power supply."),
         ),
         "slow": (
             translate("Checkup", "It gives {rate} of {nominal} pictures a second."),

@@ -22,7 +22,7 @@ def fault_words() -> Mapping[str, tuple[str, str]]:
         ),
         "sensor_gone": (
             translate("Driver", "It is not plugged in."),
-            translate("Driver", "Check its USB cable and its power adapter; it starts by itself when it returns."),
+            translate("Driver", "Check its USB cable and its power supply; it starts by itself when it returns."),
         ),
         "sensor_not_allowed": (
             translate("Driver", "The system does not let you use it."),
@@ -39,13 +39,13 @@ def fault_words() -> Mapping[str, tuple[str, str]]:
         "sensor_not_obeyed": (
             translate("Driver", "It does not do what it is told."),
             translate(
-                "Driver", "Unplug its USB cable and its power adapter, wait five seconds, and plug both in again."
+                "Driver", "Unplug its USB cable and its power supply, wait five seconds, and plug both in again."
             ),
         ),
         "sensor_hangs": (
             translate("Driver", "It does not answer."),
             translate(
-                "Driver", "Unplug its USB cable and its power adapter, wait five seconds, and plug both in again."
+                "Driver", "Unplug its USB cable and its power supply, wait five seconds, and plug both in again."
             ),
         ),
         "usb_full": (

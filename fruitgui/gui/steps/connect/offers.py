@@ -73,11 +73,13 @@ def device_lines(offer: Offer) -> list[str]:
 def supported_text(found: Sequence[Source]) -> str:
     """Return what is supported now: it says honestly where no device can be found."""
     if any(one.kind not in (SIMULATED, RECORDING) for one in found):
-        return translate("Connect", "Devices that are plugged in appear here by themselves.")
+        return translate(
+            "Connect", "Devices that are plugged in appear here by themselves. If one does not, press “Check sensors…”."
+        )
     return translate(
         "Connect",
-        "No device was found. Plug your sensors in and they appear here by themselves. Recordings (MCAP of ROS 2, bag "
-        "of ROS 1) and the simulated rig work without any.",
+        "No device was found. Plug your sensors in and they appear here by themselves; if one does not, press “Check "
+        "sensors…”. Recordings (MCAP of ROS 2, bag of ROS 1) and the simulated rig work without any.",
     )
 
 
