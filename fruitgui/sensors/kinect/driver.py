@@ -13,6 +13,7 @@ from fruitgui.sensors.kinect.bus import Bus, Camera, told_apart
 from fruitgui.sensors.kinect.device import Device, Hear
 from fruitgui.sensors.kinect.motor import Motor
 from fruitgui.sensors.kinect.sensor import KinectSensor
+from fruitgui.sensors.kinect.session import LeftBehind
 
 MAKE = "kinect"
 
@@ -36,6 +37,7 @@ class KinectDriver:
         self._bus: Bus | None = None
         self._looking: threading.Thread | None = None
         self._found: tuple[PluggedDevice, ...] = ()
+        self._left = LeftBehind()
 
     @property
     def make(self) -> str:
@@ -67,7 +69,7 @@ class KinectDriver:
         def device(hear: Hear) -> Device:
             return Device(library.libfreenect(), Bus(library.libusb()), serial, hear, self._now_s)
 
-        return KinectSensor(serial, device, lambda: Motor(Bus(library.libusb()), serial))
+        return KinectSensor(serial, device, self._left, lambda: Motor(Bus(library.libusb()), serial))
 
     def _look(self) -> None:
         """Ask the bus; one thread does so at a time."""

@@ -16,10 +16,9 @@ from fruitgui.sensors.kinect.capture import Captures
 from fruitgui.sensors.kinect.depth_table import depth_table, millimetres
 from fruitgui.sensors.kinect.device import Device, Hear
 from fruitgui.sensors.kinect.factory import Factory
-from fruitgui.sensors.kinect.faults import hangs
 from fruitgui.sensors.kinect.motor import Led, Motor
 from fruitgui.sensors.kinect.packets import Stream
-from fruitgui.sensors.kinect.session import Session
+from fruitgui.sensors.kinect.session import LeftBehind, Session
 from fruitgui.sensors.registration import Registration
 from fruitgui.sensors.sensor import Projector, SensorInfo, SensorTimeoutError
 
@@ -38,12 +37,16 @@ class KinectSensor:
     Args:
         serial: of the device.
         device: makes it, not yet open, given who hears of its pictures.
+        left: sessions that hang, of all sensors of the driver.
         motor: makes its motor, not yet open, for its light and its accelerometer; None where it has none.
     """
 
-    def __init__(self, serial: str, device: MakeDevice, motor: Callable[[], Motor] | None = None) -> None:
+    def __init__(
+        self, serial: str, device: MakeDevice, left: LeftBehind, motor: Callable[[], Motor] | None = None
+    ) -> None:
         self._serial = serial
         self._make_device = device
+        self._left = left
         self._make_motor = motor
         self._motor: Motor | None = None
         self._felt_m_s2: tuple[float, float, float] | None = None
@@ -69,10 +72,8 @@ class KinectSensor:
         Raises:
             WorldError: it is not there, may not be opened, is used already, or does not answer.
         """
-        if self._session is not None:
-            if self._session.hangs:
-                raise hangs(self._serial)
-            self.close()
+        self.close()
+        self._left.check(self._serial)
         captures = Captures()
         device = self._make_device(captures.hear)
         session = Session(device, self._serial, lambda: captures.end(session.failure))
@@ -158,8 +159,9 @@ class KinectSensor:
         if self._motor is not None:
             self._motor.close()
             self._motor = None
-        if self._session is not None and self._session.close():
-            self._session, self._device = None, None
+        if self._session is not None and not self._session.close():
+            self._left.add(self._session)
+        self._session, self._device = None, None
 
     def _light(self, led: Led) -> None:
         """Show whether it is in use, as far as it has a light."""

@@ -63,6 +63,11 @@ class Session:
         self._thread = threading.Thread(target=self._run, name=f"kinect {serial}", daemon=True)
 
     @property
+    def serial(self) -> str:
+        """Of the device."""
+        return self._serial
+
+    @property
     def failure(self) -> FruitguiError | None:
         """Why nothing comes any more; None as long as something may."""
         return self._failure
@@ -158,6 +163,33 @@ class Session:
                 yield self._orders.get_nowait()
             except queue.Empty:
                 return
+
+
+class LeftBehind:
+    """Sessions that hang in the library: their devices cannot be opened again until they come back.
+
+    May be used from any thread.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._sessions: list[Session] = []
+
+    def add(self, session: Session) -> None:
+        """Leave a session behind."""
+        with self._lock:
+            self._sessions.append(session)
+
+    def check(self, serial: str) -> None:
+        """Say that a device hangs.
+
+        Raises:
+            WorldError: it does.
+        """
+        with self._lock:
+            self._sessions = [one for one in self._sessions if one.hangs]
+            if any(one.serial == serial for one in self._sessions):
+                raise hangs(serial)
 
 
 def _closed(serial: str) -> WorldError:

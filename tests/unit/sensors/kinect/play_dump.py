@@ -23,6 +23,7 @@ from fruitgui.sensors.kinect.library import libfreenect
 from fruitgui.sensors.kinect.models import KINECT_1414
 from fruitgui.sensors.kinect.packets import Stream
 from fruitgui.sensors.kinect.sensor import KinectSensor
+from fruitgui.sensors.kinect.session import LeftBehind
 from tests.emulated_usb.dumps import LIBRARY
 
 
@@ -65,7 +66,7 @@ def frames() -> list[Any]:
     came: list[Any] = []
     usual = cameras_of(Factory()).registration  # made before the files begin to play
     usual.apply(np.full((480, 640), 1000, np.uint16))
-    sensor = KinectSensor("dump", device)
+    sensor = KinectSensor("dump", device, LeftBehind())
     sensor.open()
     sensor.start()
     while True:
