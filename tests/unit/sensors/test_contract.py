@@ -1,0 +1,107 @@
+"""Every class of sensors keeps to the one protocol."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from fruitgui.frame import Frame
+from fruitgui.sensors.kinect.driver import KinectDriver
+from fruitgui.sensors.named import NamedSensor
+from fruitgui.sensors.player import FlatOut, recorded_sensors
+from fruitgui.sensors.recordings import RecordingWriter
+from fruitgui.sensors.sensor import Sensor
+from fruitgui.simulation.ahead import SimulatedRig
+from fruitgui.simulation.supply import LineOptions
+from tests.emulated_usb.emulation import MODEL_1473, Emulation, Kinect
+from tests.emulated_usb.outside import inside
+from tests.emulated_usb.player import Player
+from tests.unit.sensors.contract import next_frame, walk
+from tests.unit.sensors.scripted import ScriptedSensor, small_frame
+
+RIG = LineOptions(rig_seed=1, layout="single")
+
+
+def test_simulated(no_leaked_threads: None) -> None:  # noqa: ARG001
+    for sensor in SimulatedRig(RIG, FlatOut()).sensors():
+        walk(sensor)
+
+
+def test_playback(tmp_path: Path, no_leaked_threads: None) -> None:  # noqa: ARG001
+    (sensor,) = SimulatedRig(RIG, FlatOut()).sensors()
+    sensor.open()
+    sensor.start()
+    path = tmp_path / "recording.mcap"
+    with RecordingWriter(path, [sensor.info]) as writer:
+        for _ in range(20):
+            writer.write(next_frame(sensor))
+    sensor.stop()
+    sensor.close()
+    for played in recorded_sensors(path, FlatOut(), looped=False):
+        walk(played)
+        walk(NamedSensor(played, "renamed"))
+
+
+@inside
+def test_kinect_on_the_emulated_bus(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2", MODEL_1473))
+    with Player(usb):
+        for serial in ("A1", "B2"):
+            walk(KinectDriver().sensor(serial))
+
+
+class Steady(ScriptedSensor):
+    """Gives small frames for ever, while it is open."""
+
+    count = 0
+
+    def read(self, timeout_s: float) -> Frame:
+        if self.opened == self.closed:
+            return super().read(timeout_s)
+        self.count += 1
+        return replace(small_frame("steady", self.count), depth_mm=np.full((6, 8), 900 + self.count, np.uint16))
+
+    def close(self) -> None:
+        self.closed = self.opened
+
+
+class Spoiled(NamedSensor):
+    """A sensor whose frames a test spoils."""
+
+    def __init__(self, sensor: Sensor, spoil: Callable[[Frame], Frame]) -> None:
+        super().__init__(sensor, "spoiled")
+        self._spoil = spoil
+
+    def read(self, timeout_s: float) -> Frame:
+        return self._spoil(super().read(timeout_s))
+
+
+BUFFER = np.zeros((6, 8), np.uint16)
+
+
+def into_one_buffer(frame: Frame) -> Frame:
+    BUFFER[:] = frame.depth_mm
+    return replace(frame, depth_mm=BUFFER)
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda frame: replace(frame, sequence=7),
+        lambda frame: replace(frame, time_s=-frame.time_s),
+        lambda frame: replace(frame, sensor="another"),
+        lambda frame: replace(frame, depth_mm=frame.depth_mm // 1000),
+        lambda frame: replace(frame, depth_mm=frame.depth_mm.astype(np.float32)),
+        lambda frame: replace(frame, color=frame.color[..., 0]),
+        lambda frame: replace(frame, intrinsics=replace(frame.intrinsics, fx=1.0)),
+        into_one_buffer,
+    ],
+)
+def test_the_walk_sees_what_is_wrong(spoil: Callable[[Frame], Frame]) -> None:
+    walk(Spoiled(Steady("steady"), lambda frame: replace(frame, sensor="spoiled")))
+    with pytest.raises(AssertionError):
+        walk(Spoiled(Steady("steady"), lambda frame: spoil(replace(frame, sensor="spoiled"))))
