@@ -24,7 +24,9 @@ def open_container(path: Path) -> Container:
             raise InputError("not_a_file", f"{path} is a folder, not a recording.", _REMEDY, file=path)
         with path.open("rb") as file:
             start = file.read(16)
-        if start.startswith(MAGIC):
+            file.seek(max(path.stat().st_size - len(MAGIC), 0))
+            end = file.read(len(MAGIC))
+        if start.startswith(MAGIC) or end == MAGIC:
             return McapFile(path)
         if start.startswith(BAG_MAGIC):
             return BagFile(path)

@@ -5,15 +5,42 @@ from __future__ import annotations
 import itertools
 import operator
 import struct
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import BinaryIO
 
 from fruitgui.sensors.recordings.raw import MalformedError, plain_type
-from fruitgui.sensors.recordings.records import CHANNEL, CHUNK_INDEX, FOOTER, MAGIC, SCHEMA, STATISTICS, Fields, walk
+from fruitgui.sensors.recordings.records import (
+    CHANNEL,
+    CHUNK_INDEX,
+    FOOTER,
+    MAGIC,
+    RECORD_HEAD,
+    SCHEMA,
+    STATISTICS,
+    Fields,
+    walk,
+)
 
 _FOOTER_BYTES = 9 + 20 + len(MAGIC)
+_CHECKED_FOOTER_BYTES = 9 + 16
 _MAX_SUMMARY_BYTES = 64 * 1024 * 1024
+
+
+@dataclass(frozen=True, slots=True)
+class ChunkPlace:
+    """Where a chunk stands.
+
+    Attributes:
+        first_ns, last_ns: earliest and latest time of recording in it.
+        start, end: bytes of its record in the file, from its head to what comes after it.
+    """
+
+    first_ns: int
+    last_ns: int
+    start: int
+    end: int
 
 
 @dataclass(slots=True)
@@ -23,17 +50,17 @@ class Contents:
     Attributes:
         types: type name by topic, of the topics that have messages.
         channels: (topic, type name, wire) by channel id.
-        chunks: (earliest log time, byte where it starts) of each chunk.
+        chunks: in the order of the file.
     """
 
     types: dict[str, str] = field(default_factory=dict)
     channels: dict[int, tuple[str, str, str]] = field(default_factory=dict)
-    chunks: list[tuple[int, int]] = field(default_factory=list)
+    chunks: list[ChunkPlace] = field(default_factory=list)
 
     @property
     def tangled(self) -> bool:
         """Whether the chunks do not stand in the order of their times, as where a file was written topic by topic."""
-        return any(after < before for (before, _), (after, _) in itertools.pairwise(self.chunks))
+        return any(after.first_ns < before.first_ns for before, after in itertools.pairwise(self.chunks))
 
 
 def read_contents(file: BinaryIO, size: int) -> Contents | None:
@@ -42,14 +69,17 @@ def read_contents(file: BinaryIO, size: int) -> Contents | None:
         return None
     file.seek(size - _FOOTER_BYTES)
     footer = file.read(_FOOTER_BYTES)
-    opcode, length, start, _, _ = struct.unpack_from("<BQQQI", footer)
+    opcode, length, start, _, crc = struct.unpack_from("<BQQQI", footer)
     if opcode != FOOTER or length != 20 or footer[-len(MAGIC) :] != MAGIC:
         return None
     if not 0 < start <= size - _FOOTER_BYTES or size - start > _MAX_SUMMARY_BYTES:
         return None
     file.seek(start)
+    summary = file.read(size - _FOOTER_BYTES - start)
+    if crc and zlib.crc32(footer[:_CHECKED_FOOTER_BYTES], zlib.crc32(summary)) != crc:
+        return None
     try:
-        return _read(file.read(size - _FOOTER_BYTES - start))
+        return _read(summary)
     except MalformedError:
         return None
 
@@ -69,11 +99,13 @@ def _read(summary: bytes) -> Contents | None:
         elif opcode == STATISTICS:
             counts = _counts(fields)
         elif opcode == CHUNK_INDEX:
-            start_time, _, start = fields.number("Q"), fields.number("Q"), fields.number("Q")
-            contents.chunks.append((start_time, start))
+            first_ns, last_ns = fields.number("Q"), fields.number("Q")
+            start, length = fields.number("Q"), fields.number("Q")
+            if length > RECORD_HEAD.size:
+                contents.chunks.append(ChunkPlace(first_ns, last_ns, start, start + length))
     if not contents.channels:
         return None
-    contents.chunks.sort(key=operator.itemgetter(1))
+    contents.chunks.sort(key=operator.attrgetter("start"))
     contents.types = {
         topic: kind for channel, (topic, kind, _) in contents.channels.items() if counts.get(channel, not counts)
     }

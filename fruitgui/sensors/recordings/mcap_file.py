@@ -9,13 +9,15 @@ chunk.
 from __future__ import annotations
 
 import heapq
+import operator
 import struct
 import zlib
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import BinaryIO
 
-from fruitgui.sensors.recordings.mcap_contents import Contents, read_contents
+from fruitgui.sensors.recordings.mcap_contents import ChunkPlace, Contents, read_contents
+from fruitgui.sensors.recordings.mcap_walk import ChunkHead, McapWalk, Outer, chunk_head, counted
 from fruitgui.sensors.recordings.raw import (
     MAX_MESSAGE_BYTES,
     MAX_UNPACKED_BYTES,
@@ -29,12 +31,9 @@ from fruitgui.sensors.recordings.raw import (
 from fruitgui.sensors.recordings.records import (
     CHANNEL,
     CHUNK,
-    DATA_END,
-    FOOTER,
-    MAGIC,
     MESSAGE,
+    MESSAGE_INDEX,
     METADATA,
-    NO_RECORD,
     RECORD_HEAD,
     SCHEMA,
     Fields,
@@ -45,7 +44,6 @@ from fruitgui.sensors.recordings.unpack import Part, pieces, unpack
 
 _MAX_SMALL_RECORD = 4 * 1024 * 1024
 _MAX_UNTANGLING_BYTES = 256 * 1024 * 1024
-_CHUNK_HEAD_BYTES = 256
 _MESSAGE_HEAD = struct.Struct("<HIQQ")
 _KEPT = frozenset({SCHEMA, CHANNEL, MESSAGE, METADATA})
 
@@ -84,11 +82,10 @@ class McapFile:
         In the order of the file; in the order of their log times where the
         chunks of the file do not follow those.
         """
-        self._schemas, self._channels = {}, {}
-        records = self.records()
-        if self._contents.tangled:
-            records = self._untangled()
-            self._channels = {key: channel for key, channel in self._contents.channels.items() if wanted(channel[0])}
+        self._schemas = {}
+        # What a checked table of contents says of channels holds, whatever the file's own records say.
+        self._channels = {key: channel for key, channel in self._contents.channels.items() if wanted(channel[0])}
+        records = self._untangled() if self._contents.tangled else self.records()
         for opcode, record in records:
             try:
                 if opcode == MESSAGE:
@@ -100,92 +97,107 @@ class McapFile:
 
     def records(self) -> Iterator[tuple[int, memoryview]]:
         """Yield (opcode, content) of schemas, channels, messages and metadata, as far as the file is sound."""
-        self._soundness = Soundness()
+        for file, outer in self._outer():
+            yield from self._content(file, outer)
+
+    def head(self) -> Iterator[tuple[int, memoryview]]:
+        """Yield (opcode, content) of what stands before the first chunk and the first message."""
+        for file, outer in self._outer():
+            if outer.opcode in (CHUNK, MESSAGE):
+                return
+            yield from self._content(file, outer)
+
+    def _outer(self) -> Iterator[tuple[BinaryIO, Outer]]:
+        """Yield each outer record of the file, which is open meanwhile."""
+        chunks = self._contents.chunks
+        self._soundness = Soundness(began_ns=min((chunk.first_ns for chunk in chunks), default=None))
+        lost_before = 0
         with self._path.open("rb") as file:
-            for opcode, length in self._front_to_back(file):
-                yield from self._content(file, opcode, length)
+            for outer in McapWalk(file, self._size, self._contents, self._soundness):
+                if outer.opcode != MESSAGE_INDEX:
+                    lost_before = self._soundness.lost_chunks
+                elif self._soundness.lost_chunks > lost_before:
+                    self._note_lost(file, outer)
+                yield file, outer
 
-    def _front_to_back(self, file: BinaryIO) -> Iterator[tuple[int, int]]:
-        """Yield (opcode, length) of each outer record, the file standing at its content."""
-        position = len(MAGIC)
-        while True:
-            file.seek(position)
-            head = file.read(RECORD_HEAD.size)
-            opcode, length = RECORD_HEAD.unpack(head) if len(head) == RECORD_HEAD.size else (NO_RECORD, 0)
-            if opcode in (DATA_END, FOOTER):
-                return
-            end = position + RECORD_HEAD.size + length
-            if opcode == NO_RECORD or end > self._size:
-                self._soundness.cut(position, self._size)
-                if opcode == CHUNK:
-                    yield opcode, -1
-                return
-            yield opcode, length
-            position = end
+    def _note_lost(self, file: BinaryIO, outer: Outer) -> None:
+        """Count the messages that were in a chunk that was left out."""
+        file.seek(outer.start)
+        for channel, count in counted(memoryview(file.read(min(outer.length, _MAX_SMALL_RECORD)))).items():
+            if channel in self._channels:
+                self._soundness.lost[self._channels[channel][0]] += count
 
-    def _content(self, file: BinaryIO, opcode: int, length: int) -> Iterator[tuple[int, memoryview]]:
+    def _content(self, file: BinaryIO, outer: Outer) -> Iterator[tuple[int, memoryview]]:
         try:
-            if opcode == CHUNK:
-                yield from self._cut_chunk(file) if length < 0 else self._chunk(file, length)
-            elif opcode in _KEPT:
-                if length <= (MAX_MESSAGE_BYTES if opcode == MESSAGE else _MAX_SMALL_RECORD):
-                    yield opcode, memoryview(file.read(length))
+            if outer.opcode == CHUNK:
+                yield from self._cut_chunk(file, outer) if outer.cut else self._chunk(file, outer)
+            elif outer.opcode in _KEPT:
+                if outer.length <= (MAX_MESSAGE_BYTES if outer.opcode == MESSAGE else _MAX_SMALL_RECORD):
+                    file.seek(outer.start)
+                    yield outer.opcode, memoryview(file.read(outer.length))
                 else:
                     self._soundness.skip("a record is too long")
         except MalformedError as error:
             self._soundness.skip(str(error))
 
-    def _chunk(self, file: BinaryIO, length: int) -> Iterator[tuple[int, memoryview]]:
-        claimed, crc, kind, packed_length = _chunk_head(file, length)
-        part = Part(file, packed_length)
-        if claimed > MAX_WHOLE_BYTES:
-            return walk_pieces(_bounded(pieces(kind, part), claimed), MAX_MESSAGE_BYTES)
-        content = unpack(kind, part, claimed)
-        if crc and zlib.crc32(content) != crc:
+    def _chunk(self, file: BinaryIO, outer: Outer) -> Iterator[tuple[int, memoryview]]:
+        start = outer.start - RECORD_HEAD.size
+        known = next((chunk for chunk in self._contents.chunks if chunk.start == start), None)
+        times_ns = None if known is None else (known.first_ns, known.last_ns)
+        try:
+            head = chunk_head(file, outer)
+            times_ns = times_ns or (head.first_ns, head.last_ns)
+            return self._unpacked(file, head)
+        except MalformedError:
+            self._soundness.lose_chunk(times_ns)
+            raise
+
+    def _unpacked(self, file: BinaryIO, head: ChunkHead) -> Iterator[tuple[int, memoryview]]:
+        if self._soundness.began_ns is None:
+            self._soundness.began_ns = head.first_ns
+        part = Part(file, head.packed)
+        if head.claimed > MAX_WHOLE_BYTES:
+            return walk_pieces(_bounded(pieces(head.kind, part), head.claimed), MAX_MESSAGE_BYTES)
+        content = unpack(head.kind, part, head.claimed)
+        if head.crc and zlib.crc32(content) != head.crc:
             raise MalformedError("a chunk's checksum does not fit its content")
         return walk(memoryview(content))
 
-    def _cut_chunk(self, file: BinaryIO) -> Iterator[tuple[int, memoryview]]:
+    def _cut_chunk(self, file: BinaryIO, outer: Outer) -> Iterator[tuple[int, memoryview]]:
         """Yield what the last, incomplete chunk of a cut file still holds."""
         try:
-            claimed, _, kind, packed_length = _chunk_head(file, None)
-            yield from walk_pieces(_bounded(pieces(kind, Part(file, packed_length)), claimed), MAX_MESSAGE_BYTES)
+            head = chunk_head(file, outer)
+            unpacked = pieces(head.kind, Part(file, head.packed))
+            yield from walk_pieces(_bounded(unpacked, head.claimed), MAX_MESSAGE_BYTES)
         except MalformedError:
             return
 
     def _untangled(self) -> Iterator[tuple[int, memoryview]]:
         """Yield the records with messages in order of their log times, by the table of contents."""
-        self._soundness = Soundness()
         waiting: list[tuple[int, int, memoryview]] = []
         held_bytes, count = 0, 0
+        for file, outer in self._outer():
+            if outer.opcode != CHUNK:
+                yield from self._content(file, outer)
         with self._path.open("rb") as file:
-            yield from self._outside_chunks(file)
-            for starts_ns, position in sorted(self._contents.chunks):
-                while waiting and (waiting[0][0] < starts_ns or held_bytes > _MAX_UNTANGLING_BYTES):
+            for chunk in sorted(self._contents.chunks, key=operator.attrgetter("first_ns", "start")):
+                while waiting and (waiting[0][0] < chunk.first_ns or held_bytes > _MAX_UNTANGLING_BYTES):
                     message = heapq.heappop(waiting)[2]
                     held_bytes -= len(message)
                     yield MESSAGE, message
-                for message in self._messages_of_chunk(file, position):
+                for message in self._messages_of_chunk(file, chunk):
                     count += 1
                     held_bytes += len(message)
                     heapq.heappush(waiting, (_MESSAGE_HEAD.unpack_from(message)[2], count, message))
         while waiting:
             yield MESSAGE, heapq.heappop(waiting)[2]
 
-    def _outside_chunks(self, file: BinaryIO) -> Iterator[tuple[int, memoryview]]:
-        for opcode, length in self._front_to_back(file):
-            if opcode != CHUNK:
-                yield from self._content(file, opcode, length)
-
-    def _messages_of_chunk(self, file: BinaryIO, position: int) -> Iterator[memoryview]:
-        if position + RECORD_HEAD.size > self._size:
-            return
-        file.seek(position)
-        opcode, length = RECORD_HEAD.unpack(file.read(RECORD_HEAD.size))
-        if opcode != CHUNK or position + RECORD_HEAD.size + length > self._size:
+    def _messages_of_chunk(self, file: BinaryIO, chunk: ChunkPlace) -> Iterator[memoryview]:
+        start = chunk.start + RECORD_HEAD.size
+        if chunk.end > self._size or chunk.end < start:
             self._soundness.skip("the table of contents names a chunk that is not there")
             return
-        for inner, record in self._content(file, opcode, length):
+        for inner, record in self._content(file, Outer(CHUNK, start, chunk.end - start)):
             if inner == MESSAGE and len(record) >= _MESSAGE_HEAD.size:
                 yield memoryview(bytes(record))
 
@@ -204,27 +216,11 @@ class McapFile:
         elif opcode == CHANNEL:
             channel_id, schema_id = fields.number("H"), fields.number("H")
             topic, wire = fields.text(), fields.text()
-            if wanted(topic):
+            if wanted(topic) and channel_id not in self._contents.channels:
                 self._channels[channel_id] = (topic, self._schemas.get(schema_id, ""), wire)
         else:
             name = fields.text()
             self._metadata[name] = fields.table()
-
-
-def _chunk_head(file: BinaryIO, length: int | None) -> tuple[int, int, str, int]:
-    """Return (unpacked size, checksum, packing, packed size) of a chunk, the file then standing at its content.
-
-    Raises `MalformedError` where the chunk's head is not one, or does not fit the chunk's length.
-    """
-    start = file.tell()
-    fields = Fields(memoryview(file.read(_CHUNK_HEAD_BYTES)))
-    fields.number("Q")
-    fields.number("Q")
-    claimed, crc, kind, packed = fields.number("Q"), fields.number("I"), fields.text(), fields.number("Q")
-    if length is not None and packed != length - fields.position:
-        raise MalformedError("a chunk's length is not the length of what it holds")
-    file.seek(start + fields.position)
-    return claimed, crc, kind, packed
 
 
 def _bounded(unpacked: Iterable[bytes], claimed: int) -> Iterator[bytes]:

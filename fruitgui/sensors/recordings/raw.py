@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Protocol
@@ -50,15 +51,30 @@ class Soundness:
         cut_at: byte at which reading had to stop before the end, or None.
         bytes_unread: from there to the end of the file.
         damaged: chunks and messages that were left out, by cause.
+        lost_chunks: how many of those were chunks whose content is known to be there and cannot be had.
+        lost: messages that were in the chunks left out, by topic, as far as the file tells.
+        lost_ns: earliest and latest time of recording of those chunks; None where none is lost.
+        began_ns: the file's earliest time of recording, as far as known.
     """
 
     cut_at: int | None = None
     bytes_unread: int = 0
     damaged: dict[str, int] = field(default_factory=dict)
+    lost_chunks: int = 0
+    lost: Counter[str] = field(default_factory=Counter)
+    lost_ns: tuple[int, int] | None = None
+    began_ns: int | None = None
 
     def skip(self, cause: str) -> None:
         """Count one part left out for `cause`."""
         self.damaged[cause] = self.damaged.get(cause, 0) + 1
+
+    def lose_chunk(self, times_ns: tuple[int, int] | None) -> None:
+        """Note that a chunk is lost, and its earliest and latest time of recording where they are known."""
+        self.lost_chunks += 1
+        if times_ns is not None:
+            before = self.lost_ns or times_ns
+            self.lost_ns = min(before[0], times_ns[0]), max(before[1], times_ns[1])
 
     def cut(self, position: int, size: int) -> None:
         """Note that reading stopped at `position` of a file of `size` bytes."""

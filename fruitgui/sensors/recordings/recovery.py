@@ -12,7 +12,8 @@ from fruitgui.sensors.recordings.container import open_container
 from fruitgui.sensors.recordings.mcap_file import McapFile
 from fruitgui.sensors.recordings.raw import MalformedError
 from fruitgui.sensors.recordings.records import CHANNEL, MESSAGE, SCHEMA, Fields
-from fruitgui.sensors.recordings.writer import CHUNK_BYTES
+
+_CHUNK_BYTES = 4 * 1024 * 1024
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +62,7 @@ def recover(cut: Path | str, out: Path | str) -> Recovered:
 def _copy(source: McapFile, file: Any) -> int:  # noqa: ANN401 - a binary file, as the writer of mcap wants it
     from mcap.writer import CompressionType, Writer
 
-    writer = Writer(file, chunk_size=CHUNK_BYTES, compression=CompressionType.ZSTD)
+    writer = Writer(file, chunk_size=_CHUNK_BYTES, compression=CompressionType.ZSTD)
     writer.start(profile="ros2", library="fruitgui")
     copier = _Copier(writer)
     for opcode, record in source.records():

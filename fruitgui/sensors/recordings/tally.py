@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from fruitgui.sensors.recordings.raw import Soundness
+from fruitgui.sensors.recordings.topics import sensor_of
 
 
 @dataclass(slots=True)
@@ -57,6 +58,8 @@ class Tally:
             )
         for cause, count in self.soundness.damaged.items():
             lines.append(f"{path.name}: {count} damaged part{'s' * (count > 1)} left out: {cause}.")
+        if self.soundness.lost_ns is not None:
+            lines.append(f"{path.name}: {_lost(self.soundness, *self.soundness.lost_ns)}.")
         for sensor in sorted(self.too_late):
             lines.append(
                 f"{path.name}: {sensor} comes only later in this recording, which has no table of contents, and is "
@@ -66,3 +69,16 @@ class Tally:
             for cause, count in causes.items():
                 lines.append(f"{path.name}: {count} frame{'s' * (count > 1)} of {sensor} left out: {cause}.")
         return lines
+
+
+def _lost(soundness: Soundness, first_ns: int, last_ns: int) -> str:
+    """Return what was in the chunks that were left out."""
+    frames: dict[str, int] = {}
+    for topic, count in soundness.lost.items():
+        sensor = sensor_of(topic)
+        if sensor is not None:
+            frames[sensor] = max(frames.get(sensor, 0), count)
+    what = " and ".join(f"{count} frame{'s' * (count > 1)} of {sensor}" for sensor, count in sorted(frames.items()))
+    began_ns = first_ns if soundness.began_ns is None else soundness.began_ns
+    begin_s, end_s = (first_ns - began_ns) * 1e-9, (last_ns - began_ns) * 1e-9
+    return f"lost {what or 'what was recorded'} between {begin_s:.2f} s and {end_s:.2f} s after its beginning"
