@@ -25,6 +25,7 @@ def add_recording_options(command: argparse.ArgumentParser) -> None:
         "--topics", action="append", default=[], metavar="S:rgb=/…,info=/…,depth=/…",
         help="where sensor S has its topics, if not under its own name (repeatable)",
     )  # fmt: skip
+    command.add_argument("--parts", action="store_true", help="read the files in which the recording goes on, too")
     command.add_argument("--sensors", metavar="ID,…", help="use only these sensors")
     command.add_argument(
         "--clock-offset", action="append", default=[], metavar="S=SECONDS",
@@ -39,9 +40,12 @@ def add_json(command: argparse.ArgumentParser) -> None:
 
 def source(options: argparse.Namespace, path: Path) -> RecordingSource:
     """Return where to read from, of the options given."""
+    from fruitgui.sensors.recordings import parts_after
     from fruitgui.station.source import RecordingSource
 
-    return RecordingSource(path, tuple(options.topics), names(options.sensors), _clock_offsets(options.clock_offset))
+    following = parts_after(path) if options.parts else ()
+    offsets_s = _clock_offsets(options.clock_offset)
+    return RecordingSource(path, tuple(options.topics), names(options.sensors), following, offsets_s)
 
 
 def _clock_offsets(texts: list[str]) -> dict[str, float]:

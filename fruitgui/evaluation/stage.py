@@ -63,7 +63,7 @@ class Act:
 
 def _record(act: Act, folder: Path) -> None:
     """Render one act; runs in a process of its own."""
-    from fruitgui.station.record_job import record_simulation
+    from fruitgui.station.record_simulated import record_simulation
 
     record_simulation(act.simulation, act.path(folder))
 

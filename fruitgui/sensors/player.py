@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Protocol
 
 from fruitgui.frame import Frame
-from fruitgui.sensors.recordings import Recording, open_recording
+from fruitgui.sensors.recordings import Recording, open_recording, parts_after
 from fruitgui.sensors.shared import SharedSensor, SharedStream
 
 FRAMES_AHEAD = 4
@@ -140,13 +140,13 @@ def recorded_sensors(path: Path | str, pace: Pace | None = None, *, looped: bool
     """Return the sensors of a recording, which play it together.
 
     Args:
-        path: of the recording.
+        path: of the recording; where it goes on in further files, these are played too.
         pace: its own speed unless given.
         looped: begin again at the end, stamps and numbers going on.
 
     Raises:
         InputError: it cannot be used.
     """
-    recording = open_recording(path)
+    recording = open_recording(path, following=parts_after(Path(path)))
     playing = _Playing(recording, AtSpeed() if pace is None else pace, looped)
     return SharedStream(playing, recording.sensors.values()).sensors()

@@ -61,6 +61,11 @@ class Watching:
         self.rig: Rig = self._lineup.rig
         self.rig_watch = RigWatch(self.rig)
 
+    @property
+    def share_seen(self) -> float:
+        """How much of the recording was read, 0–1."""
+        return self._recording.share_read
+
     def seen(
         self, watch: Stopwatch, cancelled: Cancelled = never_cancelled, known: Iterable[Seen] = ()
     ) -> Generator[Seen, None, None]:

@@ -81,6 +81,7 @@ def run_recording(
     station = read_station(station_path)
     model = model_of(station, station_path, options.model)
     watch = Stopwatch()
+    progress(0.0, "Looking at the first fruit")
     prelude = look_ahead(Watching(source, station), station, options.belt_speed_m_s, watch, cancelled)
     run = _Run(prelude, model, paper_volume if options.paper else None, watch)
     with contextlib.closing(prelude.seen):
@@ -111,7 +112,8 @@ class _Run:
             self._frames[seen.observation.sensor] += 1
             self._silences.hear(seen.observation.sensor, seen.observation.time_s)
             if self._watch.frames % 50 == 0:
-                progress(0.0, f"{self._watch.frames} frames, {len(self._fruit)} fruit")
+                share = self._prelude.watching.share_seen
+                progress(share, f"{self._watch.frames} frames, {len(self._fruit)} fruit")
         self._take(self._tracker.finish())
 
     def _take(self, tracks: Sequence[Track]) -> None:

@@ -17,12 +17,14 @@ class RecordingSource:
         path: of the file.
         topics: texts `S:rgb=/…,info=/…,depth=/…` for sensors whose topics have other names.
         sensors: ids to use; none for all.
+        following: further parts of the same recording.
         clock_offsets_s: by sensor, added to its stamps; only those a person gave.
     """
 
     path: Path
     topics: tuple[str, ...] = ()
     sensors: tuple[str, ...] = ()
+    following: tuple[Path, ...] = ()
     clock_offsets_s: Mapping[str, float] = field(default_factory=dict)
 
     def open(self) -> Recording:
@@ -32,5 +34,9 @@ class RecordingSource:
             InputError: an option or the file cannot be used.
         """
         return open_recording(
-            self.path, topics=parse_topics(self.topics), sensors=self.sensors, clock_offsets=self.clock_offsets_s
+            self.path,
+            topics=parse_topics(self.topics),
+            sensors=self.sensors,
+            clock_offsets=self.clock_offsets_s,
+            following=self.following,
         )

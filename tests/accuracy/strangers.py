@@ -26,7 +26,7 @@ from fruitgui.simulation.fruit import KINDS
 from fruitgui.simulation.labels import truth_labels
 from fruitgui.simulation.labels import write_labels as write_own_labels
 from fruitgui.simulation.simulation import Simulation
-from fruitgui.station.record_job import record_simulation
+from fruitgui.station.record_simulated import record_simulation
 from fruitgui.station.run_job import RunOptions, run_recording
 from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station, StationSensor

@@ -10,7 +10,7 @@ from fruitgui.gui.session import Session
 from fruitgui.simulation.scenes import line_scene
 from fruitgui.station.connection import connection_to
 from fruitgui.station.fingerprint import calibration_fingerprint
-from fruitgui.station.record_job import record_simulation
+from fruitgui.station.record_simulated import record_simulation
 from fruitgui.station.sources import RecordedSource
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.workflow_file import Marks

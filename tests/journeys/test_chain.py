@@ -153,7 +153,7 @@ def test_labels_of_which_none_matches_write_no_model(stage: Stage, tmp_path: Pat
 
 def test_a_bare_belt_is_refused_with_3_and_no_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from fruitgui.simulation.scenes import bare_belt
-    from fruitgui.station.record_job import record_simulation
+    from fruitgui.station.record_simulated import record_simulation
 
     recording, station = tmp_path / "bare.mcap", tmp_path / "station.json"
     record_simulation(bare_belt(4), recording)

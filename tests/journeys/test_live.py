@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from fruitgui.sensors.feed import Feed
+from fruitgui.sensors.recordings import open_recording
 from fruitgui.simulation.show import Showing
 from fruitgui.simulation.supply import LineOptions, crossed
 from fruitgui.station.belt_job import measure_belt
@@ -21,6 +22,7 @@ from fruitgui.station.judging import FEATURES
 from fruitgui.station.live import FLAT_OUT, LiveLine, Phase
 from fruitgui.station.model import read_model
 from fruitgui.station.record_job import record_feed
+from fruitgui.station.record_state import Ending, RecordPlan, RecordState
 from fruitgui.station.run_job import RunOptions, run_recording
 from fruitgui.station.source import RecordingSource
 from fruitgui.station.sources import Connected, RecordedSource, SimulatedSource
@@ -130,21 +132,15 @@ def test_what_runs_can_be_recorded_and_played(calibrated: Station, tmp_path: Pat
     connected = SimulatedSource(replace(OPTIONS, fruit=None), flat_out=True).connect()
     enough = threading.Event()
 
-    def progress(_share: float, doing: str) -> None:
-        if doing.startswith("Recorded 30 "):
+    def watch(state: RecordState) -> None:
+        if sum(state.frames.values()) >= 30:
             enough.set()
 
     with running(connected) as feed:
-        recorded = record_feed(feed, path, None, 0, progress, enough.is_set)
+        recorded = record_feed(feed, RecordPlan(path), watch, enough.is_set)
     assert sum(recorded.frames.values()) >= 30
+    assert recorded.ended is Ending.STOPPED
     sensors = {one.info.sensor: one.info.serial for one in RecordedSource(path).connect().sensors}
     assert sensors == {name: sensor.serial for name, sensor in calibrated.sensors.items()}
-
-
-def test_a_recording_ends_before_the_disk_is_full(tmp_path: Path) -> None:
-    path = tmp_path / "taken.mcap"
-    connected = SimulatedSource(OPTIONS, flat_out=True).connect()
-    with running(connected) as feed:
-        recorded = record_feed(feed, path, 60.0, 10**18)
-    assert "nearly full" in recorded.warnings[0]
-    assert path.exists()
+    frames = [frame for _, frame in open_recording(path).frames()]
+    assert len(frames) == sum(recorded.frames.values())

@@ -15,7 +15,7 @@ from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.player import FlatOut, recorded_sensors
 from fruitgui.simulation.scenes import line_scene
 from fruitgui.station.connection import connection_to
-from fruitgui.station.record_job import record_simulation
+from fruitgui.station.record_simulated import record_simulation
 from fruitgui.station.sources import RecordedSource
 from fruitgui.station.workspace import open_workspace
 

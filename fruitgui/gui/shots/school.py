@@ -13,7 +13,7 @@ from fruitgui.records.store import Store, open_store
 from fruitgui.simulation.labels import truth_labels, write_labels
 from fruitgui.simulation.scenes import line_scene
 from fruitgui.simulation.simulation import Simulation
-from fruitgui.station.record_job import record_simulation
+from fruitgui.station.record_simulated import record_simulation
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.station_file import write_station
 

@@ -36,6 +36,7 @@ class BagFile:
         self._connections: dict[int, tuple[str, str]] = {}
         self._wanted: Wanted = _none
         self._soundness = Soundness()
+        self._bytes_read = 0
         with path.open("rb") as file:
             self._topics = self._indexed_topics(file)
 
@@ -53,6 +54,16 @@ class BagFile:
     def soundness(self) -> Soundness:
         """Of the latest reading."""
         return self._soundness
+
+    @property
+    def bytes_read(self) -> int:
+        """How much of the file the latest reading has come past."""
+        return self._bytes_read
+
+    @property
+    def size(self) -> int:
+        """Bytes of the file."""
+        return self._size
 
     def _indexed_topics(self, file: BinaryIO) -> dict[str, str] | None:
         """Return the topics that the index at the end of the bag names, None where there is no sound index."""
@@ -82,6 +93,7 @@ class BagFile:
     def _front_to_back(self, file: BinaryIO) -> Iterator[RawMessage]:
         position, closed = len(BAG_MAGIC), False
         while position < self._size:
+            self._bytes_read = position
             head = self._record_head(file, position)
             if head is None:
                 self._soundness.cut(position, self._size)

@@ -57,6 +57,7 @@ class McapFile:
         self._channels: dict[int, tuple[str, str, str]] = {}
         self._metadata: dict[str, dict[str, str]] = {}
         self._soundness = Soundness()
+        self._bytes_read = 0
         with path.open("rb") as file:
             self._size = path.stat().st_size
             self._contents = read_contents(file, self._size) or Contents()
@@ -75,6 +76,16 @@ class McapFile:
     def soundness(self) -> Soundness:
         """Of the latest reading."""
         return self._soundness
+
+    @property
+    def bytes_read(self) -> int:
+        """How much of the file the latest reading has come past."""
+        return self._bytes_read
+
+    @property
+    def size(self) -> int:
+        """Bytes of the file."""
+        return self._size
 
     def messages(self, wanted: Wanted) -> Iterator[RawMessage]:
         """Yield the messages of wanted topics.
@@ -111,13 +122,14 @@ class McapFile:
         """Yield each outer record of the file, which is open meanwhile."""
         chunks = self._contents.chunks
         self._soundness = Soundness(began_ns=min((chunk.first_ns for chunk in chunks), default=None))
-        lost_before = 0
+        self._bytes_read = lost_before = 0
         with self._path.open("rb") as file:
             for outer in McapWalk(file, self._size, self._contents, self._soundness):
                 if outer.opcode != MESSAGE_INDEX:
                     lost_before = self._soundness.lost_chunks
                 elif self._soundness.lost_chunks > lost_before:
                     self._note_lost(file, outer)
+                self._bytes_read = outer.start
                 yield file, outer
 
     def _note_lost(self, file: BinaryIO, outer: Outer) -> None:
@@ -179,6 +191,7 @@ class McapFile:
         for file, outer in self._outer():
             if outer.opcode != CHUNK:
                 yield from self._content(file, outer)
+        self._bytes_read = 0
         with self._path.open("rb") as file:
             for chunk in sorted(self._contents.chunks, key=operator.attrgetter("first_ns", "start")):
                 while waiting and (waiting[0][0] < chunk.first_ns or held_bytes > _MAX_UNTANGLING_BYTES):
@@ -197,6 +210,7 @@ class McapFile:
         if chunk.end > self._size or chunk.end < start:
             self._soundness.skip("the table of contents names a chunk that is not there")
             return
+        self._bytes_read = max(start, self._bytes_read)
         for inner, record in self._content(file, Outer(CHUNK, start, chunk.end - start)):
             if inner == MESSAGE and len(record) >= _MESSAGE_HEAD.size:
                 yield memoryview(bytes(record))

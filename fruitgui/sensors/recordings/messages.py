@@ -60,8 +60,11 @@ class Messages:
         Raises:
             WorldError: the picture cannot be packed.
         """
-        bgr = cv2.cvtColor(np.ascontiguousarray(color), cv2.COLOR_RGB2BGR)
-        done, packed = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, _JPEG_QUALITY])
+        try:
+            bgr = cv2.cvtColor(np.ascontiguousarray(color), cv2.COLOR_RGB2BGR)
+            done, packed = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, _JPEG_QUALITY])
+        except cv2.error:
+            done, packed = False, _NOTHING
         if not done:
             raise WorldError("cannot_encode", "A colour picture cannot be packed as JPEG.", "Look at the sensor.")
         return self._picture(COMPRESSED_IMAGE, _octets(packed), header=self._header(stamp), format="jpeg")

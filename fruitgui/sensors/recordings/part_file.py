@@ -76,6 +76,17 @@ def is_full(error: OSError) -> bool:
     return error.errno in _FULL
 
 
+def cannot_finish(path: Path, error: OSError) -> WorldError:
+    """Return why a recording does not get its name, and where it lies."""
+    beside = unfinished(path)
+    return WorldError(
+        "cannot_write",
+        f"{path} cannot be finished: {error.strerror}.",
+        f"What was recorded is in {beside.name}: fruitgui record --recover {beside.name} --out OTHER.mcap saves it.",
+        file=beside,
+    )
+
+
 def cannot_write(path: Path, error: OSError) -> WorldError:
     """Return why a recording cannot be written, as a person is told."""
     code = "disk_full" if is_full(error) else "cannot_write"

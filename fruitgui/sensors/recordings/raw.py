@@ -97,6 +97,14 @@ class Container(Protocol):
     def soundness(self) -> Soundness:
         """Of the latest reading."""
 
+    @property
+    def bytes_read(self) -> int:
+        """How much of the file the latest reading has come past."""
+
+    @property
+    def size(self) -> int:
+        """Bytes of the file."""
+
     def messages(self, wanted: Wanted) -> Iterator[RawMessage]:
         """Yield the messages of wanted topics in the order of the file, as far as it is sound.
 

@@ -9,11 +9,13 @@ from fruitgui.errors import InputError
 from fruitgui.frame import Frame
 from fruitgui.sensors.ahead import ReadAhead
 from fruitgui.sensors.depth_correction import DepthCorrection
+from fruitgui.sensors.recordings.chained import Chained
 from fruitgui.sensors.recordings.container import open_container
 from fruitgui.sensors.recordings.decoding import Decoder, UnusableSensorError, decoder_of
 from fruitgui.sensors.recordings.merge import Merge
 from fruitgui.sensors.recordings.pairing import Pair
 from fruitgui.sensors.recordings.raw import Container, MalformedError
+from fruitgui.sensors.recordings.series import parts_after
 from fruitgui.sensors.recordings.survey import Survey, survey
 from fruitgui.sensors.recordings.tally import Tally
 from fruitgui.sensors.recordings.topics import SensorTopics, find_sensors, sensor_of
@@ -62,6 +64,11 @@ class Recording:
     def warnings(self) -> list[str]:
         """Everything that is not as it should be, in words."""
         return [*self._opening_warnings, *self.tally.warnings(self.path)]
+
+    @property
+    def share_read(self) -> float:
+        """How much of the file the latest reading has come past, 0–1."""
+        return self._container.bytes_read / max(self._container.size, 1)
 
     def frames(
         self,
@@ -147,6 +154,7 @@ def open_recording(
     topics: Mapping[str, SensorTopics] | None = None,
     sensors: Collection[str] = (),
     clock_offsets: Mapping[str, float] | None = None,
+    following: Sequence[Path] = (),
 ) -> Recording:
     """Open a recording and see which sensors are in it.
 
@@ -155,13 +163,14 @@ def open_recording(
         topics: topics named by a person, by sensor; see `parse_topics`.
         sensors: ids of the sensors that are wanted; empty for all.
         clock_offsets: seconds added to a sensor's stamps.
+        following: further parts of the same recording, read after it; see `parts_after`.
 
     Raises:
         InputError: not a recording, or no sensor of it can be read.
     """
     path = Path(path)
     named = dict(topics or {})
-    container = open_container(path)
+    container: Container = Chained((path, *following)) if following else open_container(path)
     seen = survey(container, named, sensors)
     known = find_sensors(seen.types, named)
     try:
@@ -181,6 +190,11 @@ def open_recording(
     infos = {sensor: _info(decoder, found[sensor], container, seen) for sensor, decoder in decoders.items()}
     unstamped = [sensor for sensor in decoders if seen.unstamped(found[sensor].depth)]
     warnings = _warnings(path, faults, unstamped)
+    if not following and (more := parts_after(path)):
+        warnings.append(
+            f"{path.name} is a part of a recording; it goes on in {more[0].name}"
+            f"{f' to {more[-1].name}' if len(more) > 1 else ''}, which is not read. --parts reads all of it."
+        )
     return Recording(path, container, decoders, found, infos, clock_offsets or {}, warnings, unstamped, known)
 
 

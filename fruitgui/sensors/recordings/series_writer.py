@@ -64,6 +64,11 @@ class SeriesWriter:
         return tuple(writer.path for writer in self._writers)
 
     @property
+    def kept(self) -> tuple[Path, ...]:
+        """The files that hold a frame."""
+        return tuple(writer.path for writer in self._writers if writer.frames_stored.total())
+
+    @property
     def frames_stored(self) -> Counter[str]:
         """Frames in the files, by sensor."""
         return sum((writer.frames_stored for writer in self._writers), Counter())

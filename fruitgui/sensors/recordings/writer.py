@@ -15,7 +15,7 @@ from fruitgui.errors import FruitguiError, InputError
 from fruitgui.frame import Frame
 from fruitgui.sensors.recordings.messages import Messages
 from fruitgui.sensors.recordings.packing import DEPTH, TYPES, Chunk, Stamped, pack
-from fruitgui.sensors.recordings.part_file import PartFile, cannot_write
+from fruitgui.sensors.recordings.part_file import PartFile, cannot_finish, cannot_write
 from fruitgui.sensors.sensor import SensorInfo
 
 CHUNK_BYTES = 6 * 1024 * 1024
@@ -198,7 +198,7 @@ class RecordingWriter:
             self._file.keep()
         except OSError as error:
             self._file.leave()
-            raise cannot_write(self.path, error) from error
+            raise cannot_finish(self.path, error) from error
         self._open = False
 
     def discard(self) -> None:

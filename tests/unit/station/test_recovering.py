@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from fruitgui.errors import InputError
-from fruitgui.station.record_job import recover_recording
+from fruitgui.station.recover_job import recover_recording
 from tests.unit.sensors import ros_files as ros
 
 
@@ -18,7 +18,7 @@ def frames(count: int) -> list[ros.Message]:
 def test_frames_that_were_saved_are_counted(tmp_path: Path) -> None:
     recorded = recover_recording(ros.write_mcap(tmp_path / "a.mcap", frames(4)), tmp_path / "out.mcap")
     assert recorded.frames == {"k1": 4}
-    assert recorded.warnings == ()
+    assert recorded.warnings() == []
 
 
 def test_without_one_frame_nothing_is_written_and_what_was_there_stays(tmp_path: Path) -> None:
@@ -37,5 +37,5 @@ def test_topics_of_other_names_are_saved_aloud(tmp_path: Path) -> None:
     others = [replace(message, topic="/elsewhere" + message.topic) for message in frames(3)]
     recorded = recover_recording(ros.write_mcap(tmp_path / "a.mcap", others), tmp_path / "out.mcap")
     assert recorded.frames == {}
-    assert "--topics" in recorded.warnings[0]
+    assert "--topics" in recorded.warnings()[0]
     assert (tmp_path / "out.mcap").exists()
