@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,7 @@ from fruitgui.errors import CancelledByUserError, InputError
 
 if TYPE_CHECKING:
     from fruitgui.sensors.sensor import Sensor
+    from fruitgui.sensors.turns import Schedule
     from fruitgui.station.record_state import Recorded, RecordPlan, RecordState
 
 LONGEST_S = 24 * 3600.0
@@ -56,11 +58,16 @@ def run(options: argparse.Namespace, console: Console) -> int:
     seconds = None if options.seconds is None else _within("--seconds", options.seconds, 0.0, LONGEST_S)
     if options.simulated or options.still or options.seed is not None:
         return _simulated(options, seconds, console)
-    sensors = _connected(options, console)
-    if not sensors:
+    from fruitgui.station.devices import connected_devices, known_by_station, known_by_workspace, only
+
+    known = known_by_workspace() if options.station is None else known_by_station(options.station)
+    console.warn(known.trouble)
+    found = connected_devices(known.names)
+    if not found:
         console.warn(["No sensor is connected: this records the simulated rig. See fruitgui record --help."])
         return _simulated(options, seconds, console)
-    return _devices(sensors, _plan(options, out, seconds), console)
+    sensors = only(found, names(options.sensors))
+    return _devices(sensors, known.schedule(sensors), _plan(options, out, seconds), console)
 
 
 def _simulated(options: argparse.Namespace, seconds: float | None, console: Console) -> int:
@@ -71,18 +78,6 @@ def _simulated(options: argparse.Namespace, seconds: float | None, console: Cons
         options.still, console.progress,
     )  # fmt: skip
     return _told(done, console)
-
-
-def _connected(options: argparse.Namespace, console: Console) -> list[Sensor]:
-    from fruitgui.station.devices import connected_devices, names_of_station, names_of_workspace, only
-
-    if options.station is not None:
-        given = names_of_station(options.station)
-    else:
-        given, trouble = names_of_workspace()
-        console.warn(trouble)
-    found = connected_devices(given)
-    return only(found, names(options.sensors)) if found else []
 
 
 def _plan(options: argparse.Namespace, out: Path, seconds: float | None) -> RecordPlan:
@@ -105,14 +100,14 @@ def _within(option: str, text: str, least: float, most: float) -> float:
     return value
 
 
-def _devices(sensors: list[Sensor], plan: RecordPlan, console: Console) -> int:
+def _devices(sensors: Sequence[Sensor], schedule: Schedule, plan: RecordPlan, console: Console) -> int:
     from fruitgui.station.record_job import record_sensors
     from fruitgui.station.record_state import Ending
 
     who = ", ".join(sensor.info.sensor for sensor in sensors)
     console.say(f"Recording {who}. Ctrl-C ends it, and keeps what was recorded.")
     with ending_well() as asked:
-        done = record_sensors(sensors, plan, _Teller(console).watch, asked)
+        done = record_sensors(sensors, schedule, plan, _Teller(console).watch, asked)
     code = _told(done, console)
     early = done.ended is Ending.STOPPED and plan.seconds is not None
     return CancelledByUserError.exit_code if early else code

@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
+from typing import TypeVar
 
 from fruitgui.errors import InputError
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.sensor import Sensor
+from fruitgui.sensors.turns import Schedule, Settling
 from fruitgui.station.connection import Connection
+from fruitgui.station.projectors import Projectors
 from fruitgui.station.sources import DEVICES, Make
+from fruitgui.station.station import Station
 from fruitgui.station.station_file import read_station
+from fruitgui.station.turn_plan import overlapping, rig_of, schedule_of
 from fruitgui.station.workspace import Workspace, default_folder
 from fruitgui.station.written import read_written
+
+T = TypeVar("T")
 
 
 def connected_devices(names: Mapping[str, str], make: Make = DEVICES) -> list[Sensor]:
@@ -66,22 +75,59 @@ def only(sensors: Sequence[Sensor], wanted: Sequence[str]) -> list[Sensor]:
     return [known[name] for name in wanted] if wanted else list(sensors)
 
 
-def names_of_station(path: Path) -> dict[str, str]:
-    """Return the name of each serial in a station's file. Raises `InputError` where it cannot be used."""
-    return {sensor.serial: name for name, sensor in read_station(path).sensors.items() if sensor.serial}
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What is known of the devices of a line.
+
+    Attributes:
+        names: by serial.
+        station: where they are, None where nobody calibrated them.
+        settlings: how long each takes to settle, by serial.
+        trouble: files that could not be used, in words.
+    """
+
+    names: Mapping[str, str] = field(default_factory=dict)
+    station: Station | None = None
+    settlings: Mapping[str, Settling] = field(default_factory=dict)
+    trouble: tuple[str, ...] = ()
+
+    def schedule(self, sensors: Iterable[Sensor]) -> Schedule:
+        """Return how the projectors of sensors take turns: only those that are known not to overlap share one."""
+        infos = {sensor.info.sensor: sensor.info for sensor in sensors}
+        rig = rig_of(self.station, {name: info.intrinsics for name, info in infos.items()})
+        return schedule_of(infos, None if rig is None else overlapping(rig), self.settlings)
 
 
-def names_of_workspace(folder: Path | None = None) -> tuple[dict[str, str], list[str]]:
-    """Return the name of each serial that the window is connected to, and what is wrong with the file that says so.
+def known_by_station(path: Path) -> Known:
+    """Return what a station's file says. Raises `InputError` where it cannot be used."""
+    station = read_station(path)
+    return Known({one.serial: name for name, one in station.sensors.items() if one.serial}, station)
+
+
+def known_by_workspace(folder: Path | None = None) -> Known:
+    """Return what the window knows.
 
     Args:
         folder: of the line; the usual one unless given. It need not be there.
     """
-    file = Workspace(default_folder() if folder is None else folder).connection
-    if not file.path.exists():
-        return {}, []
+    files = Workspace(default_folder() if folder is None else folder)
+    trouble: list[str] = []
+    connection = _read(files.connection.path, partial(read_written, of=Connection), trouble)
+    projectors = _read(files.projectors.path, partial(read_written, of=Projectors), trouble)
+    return Known(
+        names={one.serial: one.name for one in connection.sensors if one.serial} if connection else {},
+        station=_read(files.station.path, read_station, trouble),
+        settlings={key: one.settling() for key, one in projectors.settlings.items()} if projectors else {},
+        trouble=tuple(trouble),
+    )
+
+
+def _read(path: Path, read: Callable[[Path], T], trouble: list[str]) -> T | None:
+    """Return what a file holds; None where it is not there, or cannot be used, which is noted."""
+    if not path.exists():
+        return None
     try:
-        connection = read_written(file.path, Connection)
+        return read(path)
     except InputError as error:
-        return {}, [f"{error.what} The sensors are named as their drivers do."]
-    return {sensor.serial: sensor.name for sensor in connection.sensors if sensor.serial}, []
+        trouble.append(f"{error.what} It is left aside.")
+        return None

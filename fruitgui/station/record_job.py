@@ -16,6 +16,7 @@ from fruitgui.progress import Cancelled, never_cancelled
 from fruitgui.sensors.feed import Arrival, DropOldest, Feed, Running, Subscription
 from fruitgui.sensors.recordings import SeriesWriter
 from fruitgui.sensors.sensor import Sensor
+from fruitgui.sensors.turns import Schedule
 from fruitgui.station.disk_watch import DiskUsage, DiskWatch
 from fruitgui.station.record_state import (
     Ending,
@@ -70,6 +71,7 @@ def record_feed(
 
 def record_sensors(
     sensors: Sequence[Sensor],
+    schedule: Schedule | None,
     plan: RecordPlan,
     watch: WatchRecording = nobody_watches,
     cancelled: Cancelled = never_cancelled,
@@ -77,10 +79,15 @@ def record_sensors(
 ) -> Recorded:
     """Start sensors, record them from their first frames on as `record_feed` does, and stop them.
 
+    Args:
+        sensors: closed.
+        schedule: how their projectors take turns, see `Feed`.
+        plan, watch, cancelled, usage: as for `record_feed`.
+
     Raises:
         CancelledByUserError, WorldError: as `record_feed`.
     """
-    feed = Feed(sensors)
+    feed = Feed(sensors, schedule)
     with _set_up(feed, plan, usage) as recording:
         feed.start()
         try:

@@ -16,9 +16,11 @@ from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.recordings import Split, open_recording, parts_after
 from fruitgui.sensors.sensor import SensorInfo
 from fruitgui.station import record_job
-from fruitgui.station.devices import named_by_serial, names_of_workspace, only
+from fruitgui.station.connection import ConnectedSensor, Connection
+from fruitgui.station.devices import Known, known_by_workspace, named_by_serial, only
 from fruitgui.station.record_job import record_feed
 from fruitgui.station.record_state import Ending, Recorded, RecordPlan, RecordState
+from fruitgui.station.workspace import open_workspace
 from tests.unit.sensors.scripted import ScriptedSensor, gone, small_frame, until
 
 pytestmark = pytest.mark.usefixtures("no_leaked_threads")
@@ -270,7 +272,7 @@ def test_parts_go_on_where_the_last_ended(tmp_path: Path) -> None:
     assert f"and {len(done.parts) - 1} more parts" in done.line()
 
 
-def test_devices_have_the_names_that_their_serials_were_given(tmp_path: Path) -> None:
+def test_devices_have_the_names_that_their_serials_were_given() -> None:
     found = [ScriptedSensor("kinect_1"), ScriptedSensor("kinect_2"), ScriptedSensor("kinect_3")]
     named = named_by_serial(found, {"S-kinect_2": "left", "S-kinect_3": "kinect_1", "S-away": "right"})
     assert [(one.info.sensor, one.info.serial) for one in named] == [
@@ -279,11 +281,20 @@ def test_devices_have_the_names_that_their_serials_were_given(tmp_path: Path) ->
     assert [one.info.sensor for one in only(named, ["left"])] == ["left"]
     with pytest.raises(InputError, match="No sensor 'right' is connected; there are kinect_2, left, kinect_1"):
         only(named, ["right"])
-    assert names_of_workspace(tmp_path / "nowhere") == ({}, [])
-    (tmp_path / "connection.json").write_text("{")
-    names, trouble = names_of_workspace(tmp_path)
-    assert (names, len(trouble)) == ({}, 1)
-    assert (tmp_path / "connection.json").exists()
+
+
+def test_what_the_window_knows_of_the_devices_holds_for_recording_them(tmp_path: Path) -> None:
+    assert known_by_workspace(tmp_path / "nowhere") == Known()
+    assert not (tmp_path / "nowhere").exists()
+    files = open_workspace(tmp_path)
+    (tmp_path / "station.json").write_text("{")
+    sensor = ConnectedSensor(device="kinect_1", serial="S-1", name="left")
+    files.connection.save(Connection(source={"kind": "devices"}, sensors=(sensor,)))
+    known = known_by_workspace(tmp_path)
+    assert known.names == {"S-1": "left"}
+    assert len(known.trouble) == 1
+    assert (tmp_path / "station.json").exists(), "it is not for a recording to set it aside"
+    assert known.schedule([ScriptedSensor("left")]).slots == ()
 
 
 def test_two_devices_that_claim_one_serial_are_two() -> None:
