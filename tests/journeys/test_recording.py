@@ -122,7 +122,7 @@ def test_frames_reach_the_disk_within_a_second_however_slow_they_come(tmp_path: 
 def test_a_disk_of_few_megabytes_ends_it_and_everything_is_readable(tmp_path: Path) -> None:
     disk = tmp_path / "disk"
     disk.mkdir()
-    if os.geteuid() != 0 or subprocess.call(["mount", "-t", "tmpfs", "-o", "size=8m", "tmpfs", disk]):
+    if os.geteuid() != 0 or subprocess.call(["mount", "-t", "tmpfs", "-o", "size=24m", "tmpfs", disk]):
         pytest.skip("a small disk cannot be made here")
     try:
         with recording("--out", disk / "r.mcap", "--keep-free-mb", 0, "--json") as process:
