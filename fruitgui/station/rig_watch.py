@@ -59,6 +59,10 @@ class RigWatch:
             if drift is not None and drift.stale:
                 self._said[sensor] = _belt_moved(sensor, drift)
 
+    def feel_turned(self, sensor: str, angle_rad: float) -> None:
+        """Note that a sensor was turned, as its accelerometer says."""
+        self._said.setdefault(sensor, _turned(sensor, angle_rad))
+
     def see_track(self, track: Track) -> None:
         """Compare where the sensors saw one fruit."""
         seen = {sensor: gap for sensor in self._rig.mounts if (gap := self._residual(track, sensor)) is not None}
@@ -89,6 +93,13 @@ class RigWatch:
             J = mount.pose.point_jacobian(centres.mean(axis=0))
             spread = spread + J @ mount.pose.covariance @ J.T
         return (centres - at).mean(axis=0), spread
+
+
+def _turned(sensor: str, angle_rad: float) -> str:
+    return (
+        f"calibration_stale: sensor {sensor} was turned by {math.degrees(angle_rad):.1f}° since the line began, as it "
+        "feels itself. Calibrate again; sizes and counts of this run may be wrong."
+    )
 
 
 def _belt_moved(sensor: str, drift: PlaneDrift) -> str:

@@ -7,6 +7,7 @@ import numpy as np
 from fruitgui.frame import F64, Bools, Frame
 from fruitgui.geometry.plane import Plane
 from fruitgui.geometry.rig import Rig
+from fruitgui.station.live.level import LevelWatch
 from fruitgui.station.rig_watch import RigWatch
 
 GLANCE_S = 1.0
@@ -36,6 +37,7 @@ class BumpWatch:
         self._rig = rig
         self._glanced_s: dict[str, float] = {}
         self._glances: dict[str, int] = {}
+        self._level = LevelWatch()
         self.close = RigWatch(rig, every=1)
 
     def see_frame(self, sensor: str, frame: Frame) -> None:
@@ -44,6 +46,9 @@ class BumpWatch:
             return
         self._glanced_s[sensor] = frame.time_s
         self._glances[sensor] = self._glances.get(sensor, -1) + 1
+        turned_rad = self._level.feel(sensor, frame.felt_m_s2)
+        if turned_rad is not None:
+            self.close.feel_turned(sensor, turned_rad)
         if self._glances[sensor] % EVERY_GLANCE == 0 or looks_moved(frame, self._rig.mounts[sensor].surface.plane):
             self.close.see_frame(sensor, frame)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import multiprocessing
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from fruitgui.simulation.show import Show
 from fruitgui.simulation.supply import LineOptions
 from fruitgui.station.live.above import FromAbove, pictured_spread, spread_of
 from fruitgui.station.live.bench import receive, send
-from fruitgui.station.live.bump import looks_moved
+from fruitgui.station.live.bump import BumpWatch, looks_moved
 from fruitgui.station.live.crops import LONGEST_PX, MOST_SENSORS, MOST_TRACKS, Album, coded
 from fruitgui.station.live.intake import ClockWatch
 from fruitgui.station.live.warnings import MOST, Warnings
@@ -167,3 +168,16 @@ def test_arrays_come_through_the_pipe_as_they_were_and_may_be_written_to() -> No
     for name, array in sent.items():
         assert np.array_equal(got[name], array)
         got[name][...] = 1
+
+
+def test_a_sensor_that_feels_itself_turned_is_named() -> None:
+    show = Show(LineOptions(rig_seed=4, seed=1))
+    frame = next(one for one in (show.frame() for _ in range(20)) if one.sensor == "kinect_1")
+    watch = BumpWatch(show.place.rig())
+    for second in range(30):
+        felt = (0.0, 9.8, 0.0) if second < 15 else (0.0, 9.6, 1.9)
+        watch.see_frame("kinect_1", replace(frame, time_s=float(second), felt_m_s2=felt))
+        if second < 15:
+            assert not watch.close.stale
+    assert list(watch.close.stale) == [("kinect_1",)]
+    assert "turned by" in watch.close.stale[("kinect_1",)]
