@@ -23,6 +23,11 @@ _USUAL_SPREAD = 0.1
 _PRIOR_FRUIT = 3
 """The spread of cube roots of distances, and the fruit it weighs: few held-out fruit may lie together by chance."""
 
+_CENTRE_FRUIT = 5.0
+_SPREAD_FRUIT = 10.0
+"""The fruit that all kinds together weigh in the centre and the spread of one. Centres of kinds differed by half of
+what fruit of a kind do (0.05 beside 0.11), which is worth five fruit; spreads by a quarter, which is worth ten."""
+
 _MAD_TO_DEVIATION = 1.4826
 _STEEPNESS = 1.5
 _VIEW_WEIGHTS = np.geomspace(0.05, 8.0, 23)
@@ -95,7 +100,7 @@ def _lead(opinions: F64, kinds: Ints) -> float:
     return max(float(np.median(opinions[rows, kinds] - others.max(axis=1))), 1e-6)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Novelty:
     """When a fruit is too far from its kind to be of it.
 
@@ -103,55 +108,81 @@ class Novelty:
     say where the rare ones lie. A mean over few axes scatters more, by the root of their number.
 
     Attributes:
-        centre: of the cube roots of trained fruit's distances.
-        spread: of the same, > 0.
-        threshold: standardised distance beyond which a fruit is unknown, > 0.
+        centres: (K,) of the cube roots of each kind's distances.
+        spreads: (K,) of the same, > 0.
+        thresholds: (K,) standardised distance beyond which a fruit of the kind is unknown, > 0.
     """
 
-    centre: float
-    spread: float
-    threshold: float
+    centres: F64
+    spreads: F64
+    thresholds: F64
 
-    def score(self, distance: float, measured: float = 1.0) -> float:
-        """Return how far beyond the trained kinds a fruit lies: 1 is the threshold.
+    def score(self, kind: int, distance: float, measured: float = 1.0) -> float:
+        """Return how far beyond a kind a fruit lies: 1 is the threshold.
 
         Args:
+            kind: its number.
             distance: squared, per axis.
             measured: share of the axes that were measured.
         """
-        return max(0.0, (math.cbrt(distance) - self.centre) / self.spread) * math.sqrt(measured) / self.threshold
+        beyond = max(0.0, (math.cbrt(distance) - float(self.centres[kind])) / float(self.spreads[kind]))
+        return beyond * math.sqrt(measured) / float(self.thresholds[kind])
 
 
-def fit_novelty(own: F64) -> Novelty:
-    """Return the threshold that keeps the promised share of trained fruit.
+def fit_novelty(own: F64, kinds: Ints, count: int) -> Novelty:
+    """Return the thresholds that keep the promised share of each kind's fruit.
 
-    Nothing widens it: kinds left out of training lie farther off than what is met on belts, and so prove no room. Nor
+    Kinds differ in how far their own fruit lie from them: blotched ones farther, plain ones nearer. A kind's mean and
+    variance are drawn towards those of all kinds (normal with an inverse gamma's prior, Gelman et al. 2013, 3.3), and
+    its next fruit is judged by the Student's distribution that follows.
+
+    Nothing widens them: kinds left out of training lie farther off than what is met on belts, and so prove no room. Nor
     does an odd fruit among the trained ones (spoiled, or labelled by mistake): what is far out counts as three spreads.
 
     Args:
         own: (N,) squared distances of held-out fruit to their own kind.
+        kinds: (N,) number of the kind of each.
+        count: K; a kind of which none was held out is taken to be like the others.
     """
     from scipy.stats import t as student
 
-    fruit = len(own)
-    if fruit == 0:
-        return Novelty(1.0, _USUAL_SPREAD, _UNTESTED)
-    roots = np.cbrt(own)
-    middle = float(np.median(roots))
-    roots = np.minimum(roots, middle + 3.0 * _MAD_TO_DEVIATION * float(np.median(np.abs(roots - middle))))
-    centre, freedom = float(roots.mean()), fruit - 1 + _PRIOR_FRUIT
-    spread = math.sqrt((float(np.sum((roots - centre) ** 2)) + _PRIOR_FRUIT * _USUAL_SPREAD**2) / freedom)
-    return Novelty(centre, spread, float(student.ppf(1.0 - _PROMISE, freedom)) * math.sqrt(1.0 + 1.0 / fruit))
+    if len(own) == 0:
+        return Novelty(np.ones(count), np.full(count, _USUAL_SPREAD), np.full(count, _UNTESTED))
+    members = [np.flatnonzero(kinds == kind) for kind in range(count)]
+    fruit = np.array([len(rows) for rows in members])
+    roots = _tamed(np.cbrt(own), members)
+    seen = fruit > 0
+    means = np.array([roots[rows].mean() if len(rows) else 0.0 for rows in members])
+    squares = np.array([np.sum((roots[rows] - mean) ** 2) for rows, mean in zip(members, means, strict=True)])
+    freedom = int(fruit.sum() - seen.sum()) + _PRIOR_FRUIT
+    common = float(squares.sum() + _PRIOR_FRUIT * _USUAL_SPREAD**2) / freedom
+    centre = float(means[seen].mean())
+    centres = (fruit * means + _CENTRE_FRUIT * centre) / (fruit + _CENTRE_FRUIT)
+    squares += np.where(seen, fruit * _CENTRE_FRUIT / (fruit + _CENTRE_FRUIT) * (means - centre) ** 2, 0.0)
+    spreads = np.sqrt((squares + _SPREAD_FRUIT * common) / (fruit + _SPREAD_FRUIT))
+    rare = student.ppf(1.0 - _PROMISE, fruit + _SPREAD_FRUIT)
+    return Novelty(centres, spreads, np.asarray(rare * np.sqrt(1.0 + 1.0 / (fruit + _CENTRE_FRUIT))))
+
+
+def _tamed(roots: F64, members: Sequence[Ints]) -> F64:
+    """Return the roots (N,) with what lies far above its kind's middle taken as three spreads above it."""
+    usual, middles = float(np.median(roots)), np.empty(len(roots))
+    for rows in members:
+        if len(rows):
+            share = len(rows) / (len(rows) + _CENTRE_FRUIT)
+            middles[rows] = share * float(np.median(roots[rows])) + (1.0 - share) * usual
+    deviation = _MAD_TO_DEVIATION * float(np.median(np.abs(roots - middles)))
+    return np.asarray(np.minimum(roots, middles + 3.0 * deviation))
 
 
 def decide(kinds: tuple[str, ...], scores: Scores, weighing: Weighing, novelty: Novelty) -> KindVote:
     """Return the kind of one fruit: the most probable one, unless the fruit is too far from it."""
     logs = weighing.log_probabilities(scores)
     best = int(logs.argmax())
-    score = novelty.score(float(scores.distances[best]), scores.measured)
+    score = novelty.score(best, float(scores.distances[best]), scores.measured)
     if scores.stranger > scores.fruit[best]:
         score = max(score, 1.0 + min((scores.stranger - scores.fruit[best]) / 10.0, 1.0))
-    excess = _STEEPNESS * novelty.threshold * (score - 1.0)
+    excess = _STEEPNESS * float(novelty.thresholds[best]) * (score - 1.0)
     unknown = 0.5 * (1.0 + math.tanh(0.5 * excess))
     probabilities = {kind: float((1.0 - unknown) * np.exp(log)) for kind, log in zip(kinds, logs, strict=True)}
     probabilities[UNKNOWN] = unknown

@@ -3,9 +3,9 @@
 It serves twice: its distances say whether a fruit is like any trained kind at all, and its log-density is a second
 opinion on the kind beside the perceptron's, which knows the fused size.
 
-A dozen fruit cannot teach a covariance of forty axes. So: the correlations are pooled over all kinds and shrunk
-(Ledoit & Wolf 2004); each kind has its own spread along each axis, drawn towards the pooled one; fruit of a kind differ
-as the faces of one fruit do (a blotched apple's views say which blotches apples can have, and how it looks when it lies
+A dozen fruit cannot teach a covariance of forty axes. So: correlations are pooled over all kinds and shrunk (Ledoit &
+Wolf 2004), and each kind has its own spreads and correlations, drawn towards the pooled ones; fruit of a kind differ as
+the faces of one fruit do (a blotched apple's views say which blotches apples can have, and how it looks when it lies
 otherwise); the mean of n fruit is itself uncertain by a share 1/n; and a fruit seen in fewer views than usual is less
 certain by the spread between views.
 """
@@ -23,6 +23,10 @@ from fruitgui.frame import F64, Ints
 
 _STRENGTH = 3.0
 """The weight of the pooled spread in each kind's own, in fruit."""
+
+_LIKENESS = 10.0
+"""The weight of the pooled correlations in each kind's own, in fruit: what goes together in a striped apple does not in
+a lemon, but takes more fruit to learn than a spread."""
 
 _PRIOR_FRUIT = 3.0
 """The weight of the first guess on the spread within kinds, in fruit."""
@@ -178,9 +182,9 @@ def fit_density(fruit: FruitVectors, kinds: Ints, count: int, nuisance: F64) -> 
         squares = (residuals[kinds == kind] ** 2).sum(axis=0)
         own[kind] = (squares + _STRENGTH * variance) / (_STRENGTH + max(counts[kind] - 1.0, 0.0))
     own = np.sqrt(np.maximum(own, guess * _LEAST_SHARE**2)) / unit
-    correlation = _correlation(residuals / unit / own[kinds], len(points) - count)
+    correlations = _correlations(residuals / unit / own[kinds], kinds, count)
     faces = np.array([_FACES * fruit.spreads[kinds == kind].mean(axis=0) for kind in range(count)])
-    covariances = own[:, :, None] * correlation * own[:, None, :] + (faces + nuisance) / np.outer(unit, unit)
+    covariances = own[:, :, None] * correlations * own[:, None, :] + (faces + nuisance) / np.outer(unit, unit)
     view_spread = view_spread / np.outer(unit, unit)
     return Density(unit, means / unit, covariances, counts, view_spread, float(np.median(fruit.views)))
 
@@ -209,13 +213,29 @@ def _within(points: F64, residuals: F64, freedom: int, view_variance: F64) -> tu
     return guess, np.maximum(pooled, least)
 
 
-def _correlation(residuals: F64, freedom: int) -> F64:
-    """Return the correlation within kinds (D, D), shrunk towards none."""
+def _correlations(residuals: F64, kinds: Ints, count: int) -> F64:
+    """Return the correlations within each kind (K, D, D): drawn towards the pooled ones, which are drawn towards none.
+
+    Args:
+        residuals: (N, D) from the mean of the kind, in its spreads.
+        kinds: (N,) number of each fruit's kind.
+        count: K.
+    """
+    pooled = _pooled_correlation(residuals, len(residuals) - count)
+    own = [residuals[kinds == kind] for kind in range(count)]
+    return np.array([_scaled(rows.T @ rows + _LIKENESS * pooled) for rows in own])
+
+
+def _pooled_correlation(residuals: F64, freedom: int) -> F64:
     if freedom < 1:
         return np.eye(residuals.shape[1])
     from sklearn.covariance import ledoit_wolf
 
     shrunk, _ = ledoit_wolf(residuals, assume_centered=True)
-    mixed = freedom * shrunk / (np.trace(shrunk) / len(shrunk)) + _PRIOR_FRUIT * np.eye(len(shrunk))
-    scale = np.sqrt(np.diag(mixed))
-    return np.asarray(mixed / np.outer(scale, scale))
+    return _scaled(freedom * shrunk / (np.trace(shrunk) / len(shrunk)) + _PRIOR_FRUIT * np.eye(len(shrunk)))
+
+
+def _scaled(covariance: F64) -> F64:
+    """Return the covariance (D, D) as correlations."""
+    scale = np.sqrt(np.diag(covariance))
+    return np.asarray(covariance / np.outer(scale, scale))

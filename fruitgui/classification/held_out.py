@@ -41,18 +41,20 @@ class HeldOut:
         scores: of each.
         kinds: (M,) what each is.
         fold: (M,) in which fold each was.
+        count: how many kinds there are.
     """
 
     rows: Ints
     scores: tuple[Scores, ...]
     kinds: Ints
     fold: Ints
+    count: int
 
     def fit(self, rows: Ints) -> tuple[Weighing, Novelty]:
         """Return what weighs the parts, fitted to the chosen fruit."""
         kinds, scores = self.kinds[rows], [self.scores[row] for row in rows]
         own = [one.distances[kind] for one, kind in zip(scores, kinds, strict=True)]
-        return fit_weighing(scores, kinds), fit_novelty(np.array(own))
+        return fit_weighing(scores, kinds), fit_novelty(np.array(own), kinds, self.count)
 
 
 def hold_out(
@@ -79,4 +81,4 @@ def hold_out(
             scores += [core.judge(fruit.views[row], vectors, row) for row in out]
         done((one + 1) / FOLDS)
     at = np.array(rows, dtype=np.intp)
-    return HeldOut(at, tuple(scores), fruit.kinds[at], fold[at])
+    return HeldOut(at, tuple(scores), fruit.kinds[at], fold[at], fruit.count)

@@ -25,7 +25,7 @@ MAX_FEATURES = 1024
 MAX_LAYERS = 4
 MAX_NEURONS = 1024
 MAX_STRANGERS = 200
-_NOVELTY = ("centre", "spread", "threshold")
+_NOVELTY = ("centres", "spreads", "thresholds")
 
 
 def to_parts(model: KindModel) -> tuple[Settings, Arrays]:
@@ -37,7 +37,6 @@ def to_parts(model: KindModel) -> tuple[Settings, Arrays]:
         "fruit_features": list(core.names.fruit),
         "layers": len(core.network.weights),
         "weighing": {"views": model.weighing.views, "fruit": model.weighing.fruit},
-        "unknown": {name: getattr(model.novelty, name) for name in _NOVELTY},
         "density": {"views": core.density.views},
         "strangers": 0 if core.strangers is None else len(core.strangers.means),
     }
@@ -48,6 +47,7 @@ def to_parts(model: KindModel) -> tuple[Settings, Arrays]:
     for layer, (weight, bias) in enumerate(zip(core.network.weights, core.network.biases, strict=True)):
         arrays |= {f"network/weight_{layer}": weight, f"network/bias_{layer}": bias}
     arrays |= _arrays_of("density", core.density)
+    arrays |= {f"unknown/{name}": getattr(model.novelty, name) for name in _NOVELTY}
     if core.strangers is not None:
         arrays |= {"strangers/means": core.strangers.means, "strangers/covariance": core.strangers.covariances[0]}
     return settings, arrays
@@ -97,7 +97,7 @@ def from_parts(settings: Mapping[str, Any], arrays: Mapping[str, Any], names: Fe
         _strangers(reader, density),
     )
     weighing = Weighing(reader.number("weighing", "views", 0.0, 1e3), reader.number("weighing", "fruit", 0.0, 1e3))
-    novelty = Novelty(*(reader.number("unknown", name, 1e-6, 1e6) for name in _NOVELTY))
+    novelty = Novelty(*(reader.positive(f"unknown/{name}", (count,)) for name in _NOVELTY))
     return KindModel(kinds, core, weighing, novelty)
 
 
