@@ -2,10 +2,12 @@
 
 A message says what is wrong; `file` and `where` say in which file and where in
 it; `remedy` says what to do. The command line prints these and nothing else.
+The window says the same in the operator's language, by `code` and `values`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 
@@ -18,12 +20,20 @@ class FruitguiError(Exception):
         remedy: what to do about it, one sentence.
         file: the file concerned, if any.
         where: the place in it (a field, a line, a topic), if known.
+        values: what else the sentence names (a sensor, a lot), for those who say it in other words.
     """
 
     exit_code = 1
 
     def __init__(
-        self, code: str, what: str, remedy: str, *, file: Path | str | None = None, where: str | None = None
+        self,
+        code: str,
+        what: str,
+        remedy: str,
+        *,
+        file: Path | str | None = None,
+        where: str | None = None,
+        values: Mapping[str, object] | None = None,
     ) -> None:
         super().__init__(what)
         self.code = code
@@ -31,6 +41,7 @@ class FruitguiError(Exception):
         self.remedy = remedy
         self.file = None if file is None else str(file)
         self.where = where
+        self.values = dict(values or {})
 
 
 class InputError(FruitguiError):

@@ -89,6 +89,7 @@ def _checked(sensors: list[str], reference: str | None) -> str:
             "unknown_sensor",
             f"There is no sensor {reference}; the recording holds {', '.join(sensors)}.",
             "Name one of these as the reference.",
+            values={"sensor": reference},
         )
     return sensors[0] if reference is None else reference
 

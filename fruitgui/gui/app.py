@@ -12,6 +12,7 @@ from PySide6.QtGui import QIcon, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QDialog
 
 from fruitgui.errors import FruitguiError
+from fruitgui.gui import error_words
 from fruitgui.gui.gc_confinement import ConfinedCollector
 from fruitgui.gui.health import HealthWatch
 from fruitgui.gui.help_window import HelpWindow
@@ -82,13 +83,14 @@ class Application(QObject):
     def _damaged(self, damage: Damage) -> Message:
         """Return what is said of a file that could not be read; the last good one is offered where there is one."""
         what = self.tr("{file} is damaged; it was set aside, unharmed.").format(file=damage.file.name)
+        why = error_words.told(damage.error).what
         if damage.last_good is None:
-            return Message(Level.BAD, what, damage.error.what, stays=True)
+            return Message(Level.BAD, what, why, stays=True)
 
         def take() -> None:
             self.session.take_last_good(damage)
 
-        return Message(Level.BAD, what, damage.error.what, self.tr("Take the last good one"), take, stays=True)
+        return Message(Level.BAD, what, why, self.tr("Take the last good one"), take, stays=True)
 
     def _close(self) -> bool:
         """End all that runs; it was saved as it came."""

@@ -10,6 +10,7 @@ from enum import Enum
 from PySide6.QtCore import QObject, Signal
 
 from fruitgui.errors import FruitguiError
+from fruitgui.gui import error_words
 
 log = logging.getLogger(__name__)
 
@@ -75,8 +76,10 @@ class Messages(QObject):
         self.say(Message(Level.WARN, what, remedy, stays=stays))
 
     def error(self, error: FruitguiError) -> None:
-        """Say what failed and what to do."""
-        self.say(Message(Level.BAD, error.what, error.remedy, stays=True))
+        """Say what failed and what to do; the log has it as exactly as the core said it."""
+        log.error("%s: %s %s", error.code, error.what, error.remedy)
+        told = error_words.told(error)
+        self.say(Message(Level.BAD, told.what, told.remedy, stays=True))
 
 
 _WEIGHTS = {

@@ -11,6 +11,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from fruitgui.errors import FruitguiError, WorldError
+from fruitgui.gui import error_words
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.times import moment_text
@@ -41,7 +42,8 @@ class StoreTrouble(QDialog):
         self._folder, self._error = folder, error
         self._backup: Backup | None = None
         self._tasks = TaskRunner(self)
-        self._what, self._remedy, self._state = label(error.what, "strong"), label(error.remedy), label("", "dim")
+        self._what, self._remedy, self._state = label("", "strong"), label(""), label("", "dim")
+        self._place = label(error.file or str(folder), "small")
         self._bar = QProgressBar()
         self.restore, self.anew = QPushButton(), QPushButton()
         self.again, self.leave = QPushButton(), QPushButton()
@@ -79,7 +81,7 @@ class StoreTrouble(QDialog):
     def _lay_out(self) -> None:
         title = label("", "page")
         self._title = title
-        for one in (self._what, self._remedy, self._state):
+        for one in (self._what, self._place, self._remedy, self._state):
             one.setWordWrap(True)
             one.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         set_health(self._what, "bad")
@@ -94,7 +96,7 @@ class StoreTrouble(QDialog):
         column = QVBoxLayout(self)
         column.setContentsMargins(3 * GRID, 3 * GRID, 3 * GRID, 3 * GRID)
         column.setSpacing(2 * GRID)
-        for widget in (title, self._what, self._remedy, self._state, self._bar):
+        for widget in (title, self._what, self._place, self._remedy, self._state, self._bar):
             column.addWidget(widget)
         column.addStretch()
         column.addLayout(buttons)
@@ -103,6 +105,9 @@ class StoreTrouble(QDialog):
     def _say_words(self) -> None:
         self.setWindowTitle(self.tr("fruitgui: the records cannot be opened"))
         self._title.setText(self.tr("The records cannot be opened"))
+        told = error_words.told(self._error)
+        self._what.setText(told.what)
+        self._remedy.setText(told.remedy)
         for button, text, tip in (
             (self.again, self.tr("Try again"), self.tr("Try to open the records once more")),
             (
@@ -159,7 +164,8 @@ class StoreTrouble(QDialog):
 
     def _failed(self, error: FruitguiError) -> None:
         self._offer()
-        self._state.setText(f"{error.what} {error.remedy}")
+        told = error_words.told(error)
+        self._state.setText(f"{told.what} {told.remedy}")
 
     def _offer(self) -> None:
         """Offer the ways out that there are, the best as the main one."""

@@ -132,6 +132,7 @@ def unexpected_error(doing: str, error: BaseException) -> WorldError:
         "unexpected",
         f"Something went wrong in “{doing}” that this program did not foresee ({type(error).__name__}: {error}).",
         "Nothing that was saved is lost. Try again; if it happens again, send the log file (Help, Show log).",
+        values={"doing": doing},
     )
 
 

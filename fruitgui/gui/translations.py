@@ -1,6 +1,7 @@
 """`python -m fruitgui.gui.translations`: gathers what the window says, and compiles what was translated.
 
 One `.ts` file for each part of the window, so that parts can be worked on side by side; Qt's own tools do the work.
+What is said of errors is a part of its own: it follows the core, not a screen.
 """
 
 from __future__ import annotations
@@ -19,12 +20,14 @@ GUI = Path(__file__).parent
 
 
 def parts() -> Mapping[str, Sequence[Path]]:
-    """Return the source files of every part: one for each step, and `window` for all that they share."""
+    """Return the source files of every part: one for each step, `errors`, and `window` for all that they share."""
     steps = {path.name: sorted(path.rglob("*.py")) for path in sorted((GUI / "steps").iterdir()) if path.is_dir()}
     steps = {name: files for name, files in steps.items() if files and not name.startswith("_")}
     taken = {file for files in steps.values() for file in files}
+    errors = sorted((GUI / "error_words").glob("*.py"))
+    taken.update(errors)
     shared = sorted(file for file in GUI.rglob("*.py") if file not in taken and "shots" not in file.parts)
-    return {"window": shared, **steps}
+    return {"window": shared, "errors": errors, **steps}
 
 
 def gather(into: Path, language: str) -> None:

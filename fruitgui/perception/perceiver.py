@@ -79,6 +79,7 @@ class Perceiver:
                 f"A frame of sensor {frame.sensor} is {frame.depth_mm.shape[1]}×{frame.depth_mm.shape[0]} pixels, "
                 f"but its camera was said to have {wanted[1]}×{wanted[0]}.",
                 "Calibrate the station with a recording of the same resolution.",
+                values={"sensor": frame.sensor},
             )
 
     def _views(self, frame: Frame, depth_mm: U16, calm: U8, groups: Groups, parts: Parts) -> tuple[FruitView, ...]:

@@ -16,6 +16,7 @@ from fruitgui.records.teaching import Teachable, Teaching
 from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.player import FlatOut, recorded_sensors
 from fruitgui.station.live import FLAT_OUT, LIVE, Finished, Intake, LiveLine, Phase
+from fruitgui.station.live.state import LiveWarning
 from fruitgui.station.station import Station
 from fruitgui.station.waiting import BufferedSink
 
@@ -39,7 +40,7 @@ class Lesson:
     source: str
     fruit: int
     known: int
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[LiveWarning, ...] = ()
 
 
 def teachable(finished: Finished, source: str) -> Teachable:
@@ -141,4 +142,4 @@ def _watch(
     finally:
         line.stop()
     gathering.keep()
-    return Lesson(source, gathering.fruit, gathering.known, tuple(one.text for one in line.warnings))
+    return Lesson(source, gathering.fruit, gathering.known, line.warnings)

@@ -36,7 +36,9 @@ class Lots:
         with self._database.writing() as session:
             open_lot = _open(session)
             if open_lot is not None:
-                raise InputError("lot_open", f"Lot {open_lot.name} is still open.", "End it first.")
+                raise InputError(
+                    "lot_open", f"Lot {open_lot.name} is still open.", "End it first.", values={"lot": open_lot.name}
+                )
             row = LotRow(
                 name=name, grower=plan.grower.strip(), recipe=plan.recipe, note=plan.note,
                 reference_sensor=plan.reference_sensor, station_sha256=_station_copy(session, plan.station_text),
@@ -146,7 +148,7 @@ def _open(session: Session) -> LotRow | None:
 def _still_open(session: Session, lot: int) -> LotRow:
     row = lot_row(session, lot)
     if row.ended_s is not None:
-        raise InputError("lot_ended", f"Lot {row.name} is ended.", "Start another.")
+        raise InputError("lot_ended", f"Lot {row.name} is ended.", "Start another.", values={"lot": row.name})
     return row
 
 

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from fruitgui.errors import WorldError
 from fruitgui.measurement.fruit import Quantity
-from fruitgui.records.told import DAMAGED
 from fruitgui.tracking.track import PathPoint
 
 MOST_BYTES = 16 * 1024 * 1024
@@ -70,7 +69,7 @@ def unpack_path(data: bytes) -> tuple[PathPoint, ...]:
 
 def _damaged(what: str) -> WorldError:
     return WorldError(
-        DAMAGED,
+        "numbers_damaged",
         f"Numbers in the records are damaged ({what}).",
         "Restore the last good backup; the other fruit can be used.",
     )

@@ -125,7 +125,12 @@ class Teaching:
         """
         for value in (volume_ml, mass_g):
             if value is not None and not 0 < value < float("inf"):
-                raise InputError("bad_measure", f"{value:g} is no measure.", "Type a number above zero.")
+                raise InputError(
+                    "bad_measure",
+                    f"{value:g} is no measure.",
+                    "Type a number above zero.",
+                    values={"value": f"{value:g}"},
+                )
         self.change([(taught, "volume_ml", volume_ml), (taught, "mass_g", mass_g)], who)
 
     def change(self, values: Sequence[tuple[int, journal.Taught, str | float | None]], who: str = "") -> None:
@@ -271,5 +276,5 @@ def _refuse_twice(session: Session, fruit: TaughtFruit) -> None:
     if session.scalar(there) is not None:
         raise InputError(
             "taught_already", f"Fruit {fruit.source_fruit} of {fruit.source} is kept already.",
-            "Remove it first, or teach another source.",
+            "Remove it first, or teach another source.", values={"source": fruit.source},
         )  # fmt: skip

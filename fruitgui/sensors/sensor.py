@@ -53,6 +53,7 @@ class SensorTimeoutError(WorldError):
             "sensor_silent",
             f"Sensor {sensor} gave no frame within {timeout_s:g} s.",
             "Check its cable and power; it is opened again by itself when it returns.",
+            values={"sensor": sensor},
         )
 
 
@@ -60,7 +61,12 @@ class EndOfStreamError(WorldError):
     """A sensor that plays something finite has given its last frame."""
 
     def __init__(self, sensor: str) -> None:
-        super().__init__("end_of_stream", f"Sensor {sensor} has no more frames.", "Start it again to replay.")
+        super().__init__(
+            "end_of_stream",
+            f"Sensor {sensor} has no more frames.",
+            "Start it again to replay.",
+            values={"sensor": sensor},
+        )
 
 
 class Sensor(Protocol):

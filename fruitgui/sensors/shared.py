@@ -108,7 +108,9 @@ class SharedStream:
         if self._over and self._pending is None:
             raise EndOfStreamError(sensor)
         if sensor not in self._running:
-            raise WorldError("sensor_not_started", f"Sensor {sensor} is not running.", "Start it first.")
+            raise WorldError(
+                "sensor_not_started", f"Sensor {sensor} is not running.", "Start it first.", values={"sensor": sensor}
+            )
         if time.monotonic() >= until_s:
             raise SensorTimeoutError(sensor, timeout_s)
 

@@ -77,7 +77,12 @@ class SimulatedSensor:
             WorldError: it is not open.
         """
         if not self._open:
-            raise WorldError("sensor_not_open", f"Sensor {self._info.sensor} is not open.", "Open it first.")
+            raise WorldError(
+                "sensor_not_open",
+                f"Sensor {self._info.sensor} is not open.",
+                "Open it first.",
+                values={"sensor": self._info.sensor},
+            )
         self._next = 0
         self._running = True
 
@@ -90,7 +95,12 @@ class SimulatedSensor:
             EndOfStreamError: the scene is over.
         """
         if not self._running:
-            raise WorldError("sensor_not_started", f"Sensor {self._info.sensor} is not running.", "Start it first.")
+            raise WorldError(
+                "sensor_not_started",
+                f"Sensor {self._info.sensor} is not running.",
+                "Start it first.",
+                values={"sensor": self._info.sensor},
+            )
         if self._next >= len(self._numbers):
             raise EndOfStreamError(self._info.sensor)
         number = self._numbers[self._next]

@@ -56,4 +56,5 @@ def _check(stills: dict[str, list[Frame]], heard_s: dict[str, float], count: int
                 "sensor_silent",
                 f"Sensor {sensor} gave {len(frames)} of {count} frames and then none for {LONGEST_SILENCE_S:.0f} s.",
                 "Check its cable and power, or leave it out of the connection, and try again.",
+                values={"sensor": sensor},
             )

@@ -82,6 +82,7 @@ def measured(observation: Observation, rig: Rig, field: FieldOfView, centre: Cen
             f"The station has no sensor {observation.sensor}.",
             "Leave that sensor out, or calibrate again with it.",
             where=observation.sensor,
+            values={"sensor": observation.sensor},
         )
     views, centres, own = _estimates(observation.views, centre)
     position = mount.pose.apply(centres)

@@ -62,7 +62,8 @@ def dialog(qtbot: QtBot, folder: Path) -> Iterator[StoreTrouble]:
 
 
 def test_what_is_damaged_is_named_and_the_last_good_backup_offered(dialog: StoreTrouble, folder: Path) -> None:
-    assert str(folder / "records.sqlite") in dialog._what.text()
+    assert str(folder / "records.sqlite") in dialog._place.text()
+    assert "records.sqlite is damaged" in dialog._what.text()
     assert dialog.restore.isVisible()
     assert dialog.restore.isDefault()
     assert dialog.restore.text().startswith("Restore the backup of 19 Feb 2025")
@@ -135,7 +136,7 @@ def test_the_program_asks_before_its_window_opens(qtbot: QtBot, qapp: QApplicati
     def give_up() -> None:
         shown = qapp.activeModalWidget()
         if isinstance(shown, StoreTrouble):
-            asked.append(shown._what.text())
+            asked.append(shown._place.text())
             shown.reject()
 
     look = QTimer(interval=20)

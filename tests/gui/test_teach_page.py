@@ -239,7 +239,7 @@ def test_the_line_is_watched_until_it_is_enough(qtbot: QtBot, taught: Session, p
     qtbot.waitUntil(lambda: not page.room.in_lesson, timeout=LONG_MS)
     _rest(qtbot, page)
     (line,) = [one for one in page.room.sources(named=False) if one != RECORDING]
-    assert line.startswith("line ")
+    assert line.startswith("Line, ")
     assert taught.connected.feed is not None, "the sensors run on"
 
 

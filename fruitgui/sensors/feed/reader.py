@@ -226,4 +226,5 @@ def _driver_error(sensor: str, error: Exception) -> WorldError:
         "sensor_failed",
         f"Sensor {sensor} failed: {type(error).__name__}: {error}.",
         "It is opened again by itself; if it stays away, unplug it and plug it in again.",
+        values={"sensor": sensor},
     )

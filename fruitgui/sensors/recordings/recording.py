@@ -229,6 +229,7 @@ def _wanted_sensors(path: Path, found: Mapping[str, SensorTopics], wanted: Colle
             "unknown_sensor",
             f"{path} holds no sensor {missing[0]}; it holds {', '.join(sorted(found)[:8])}.",
             "Name sensors of the recording with --sensors.",
+            values={"sensor": missing[0]},
             file=path,
             where="--sensors",
         )

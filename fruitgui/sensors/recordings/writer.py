@@ -127,6 +127,7 @@ class RecordingWriter:
             raise InputError(
                 "unknown_sensor", f"Sensor {frame.sensor} was not announced to the recording.",
                 "Begin the recording with every sensor that it shall hold.", file=self.path,
+                values={"sensor": frame.sensor},
             )  # fmt: skip
         stamp = stamp_ns(frame.time_s)
         if not self._batch:

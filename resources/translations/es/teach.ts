@@ -84,8 +84,12 @@
         <translation>Se nombraron {fruit} frutas con {rows} etiquetas.</translation>
     </message>
     <message>
-        <source>{count} rows were left out; the first: {why}</source>
-        <translation>Se omitieron {count} filas; la primera: {why}</translation>
+        <source>{count} rows of the file point at no fruit and were left out.</source>
+        <translation>{count} filas del archivo no señalan ninguna fruta y se omitieron.</translation>
+    </message>
+    <message>
+        <source>The log says which: open the help, then Show log.</source>
+        <translation>El registro dice cuáles: abra la ayuda y luego Ver registro.</translation>
     </message>
 </context>
 <context>
@@ -229,6 +233,10 @@
     <message>
         <source>{kind}, or {other}?</source>
         <translation>¿{kind}, o {other}?</translation>
+    </message>
+    <message>
+        <source>Line, {time}</source>
+        <translation>Línea, {time}</translation>
     </message>
     <message>
         <source>{fruit} fruit came in, {frames} pictures were looked at</source>

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from PySide6.QtCore import QCoreApplication
 
 from fruitgui.errors import FruitguiError
+from fruitgui.gui import error_words
 from fruitgui.gui.numbers import count_text, number_text
-from fruitgui.gui.steps.connect.driver_words import fault_words
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.station_file import SENSOR_ID
 
@@ -83,7 +83,8 @@ def _running(health: SensorHealth) -> Condition:
 def _failure(error: FruitguiError | None) -> str:
     if error is None or error.code == "sensor_failed":
         return translate("Connect", "It is opened again by itself; if it stays away, unplug it and plug it in again.")
-    return " ".join(fault_words().get(error.code, (error.what, error.remedy)))
+    told = error_words.told(error)
+    return f"{told.what} {told.remedy}"
 
 
 def rate_text(health: SensorHealth | None) -> str:

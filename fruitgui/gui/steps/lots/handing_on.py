@@ -52,7 +52,7 @@ class HandingOn(QObject):
         """Write the table of fruit."""
 
         def job(progress: Progress, cancelled: Cancelled) -> None:
-            write_lot(self._store, lot.key, path, progress, cancelled)
+            write_lot(self._store, lot.key, path, lambda share, _: progress(share, path.name), cancelled)
 
         self._run(self.tr("Table of lot {name}").format(name=lot.name), job, path)
 

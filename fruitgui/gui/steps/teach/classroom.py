@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TypeVar
@@ -9,6 +10,7 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from fruitgui.errors import FruitguiError
+from fruitgui.gui.health import warning_message
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
@@ -21,6 +23,8 @@ from fruitgui.records.journal import Step
 from fruitgui.records.labels_file import LabelsRead
 from fruitgui.records.lesson import Lesson
 from fruitgui.station.workflow import TaughtFacts
+
+log = logging.getLogger(__name__)
 
 T = TypeVar("T")
 
@@ -285,7 +289,8 @@ class Classroom(QObject):
             messages.info(self.tr("All {count} fruit of {source} were here already.").format(
                 count=lesson.known, source=lesson.source))  # fmt: skip
         if lesson.warnings:
-            messages.warn(lesson.warnings[0], self.tr("The fruit that came in can be named all the same."))
+            what = warning_message(lesson.warnings[0]).what
+            messages.warn(what, self.tr("The fruit that came in can be named all the same."))
 
     def _lesson_ended(self) -> None:
         self._lesson = None
@@ -317,8 +322,12 @@ class Classroom(QObject):
         said = self.tr("{fruit} fruit were named by {rows} labels.").format(fruit=read.fruit, rows=read.rows)
         self._session.messages.info(said, self.tr("Undo"), self.undo)
         if read.warnings:
-            more = self.tr("{count} rows were left out; the first: {why}")
-            self._session.messages.warn(more.format(count=len(read.warnings), why=read.warnings[0]))
+            for why in read.warnings:
+                log.warning("%s", why)
+            more = self.tr("{count} rows of the file point at no fruit and were left out.").format(
+                count=len(read.warnings)
+            )
+            self._session.messages.warn(more, self.tr("The log says which: open the help, then Show log."))
         self.load()
 
     def _run(self, name: str, job: Job[T], done: Callable[[T], None]) -> None:

@@ -32,7 +32,7 @@ def loading(store: Store) -> Callable[[], Loaded]:
 
 def watching(store: Store, feed: Feed, station: Station) -> Job[Lesson]:
     """Return the job that lets fruit come in from the sensors that run."""
-    source = time.strftime("line %Y-%m-%d %H:%M:%S")
+    source = translate("Teach", "Line, {time}").format(time=time.strftime("%Y-%m-%d %H:%M:%S"))
 
     def job(progress: Progress, cancelled: Cancelled) -> Lesson:
         return watch_line(store, feed, station, source, _so_far, progress, cancelled)
