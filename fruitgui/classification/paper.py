@@ -14,9 +14,9 @@ from fruitgui.classification.account import Training, account
 from fruitgui.classification.confusion import Judged
 from fruitgui.classification.evidence import UNKNOWN, Evidence, FeatureNames, KindVote, LabelledFruit
 from fruitgui.classification.held_out import FOLDS, deal
-from fruitgui.classification.lesson import Lesson, lesson
 from fruitgui.classification.model import check_width
 from fruitgui.classification.network import Network, fit_network
+from fruitgui.classification.training_set import TrainingSet, training_set
 from fruitgui.frame import F64, Ints
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
 
@@ -66,10 +66,10 @@ def train_paper(
     """Return the source's classifier, judged on held-out fruit as the product's is; strangers teach it nothing.
 
     Raises:
-        InputError: see `lesson`.
+        InputError: see `training_set`.
         CancelledByUserError: `cancelled` said so.
     """
-    taught = lesson(fruits, names)
+    taught = training_set(fruits, names)
     random = np.random.default_rng(seed)
     fold = deal(taught.numbers, taught.pieces, random)
     votes: dict[int, Judged] = {}
@@ -86,7 +86,7 @@ def train_paper(
 
 
 def _fit(
-    taught: Lesson, chosen: Ints, names: FeatureNames, random: np.random.Generator, cancelled: Cancelled
+    taught: TrainingSet, chosen: Ints, names: FeatureNames, random: np.random.Generator, cancelled: Cancelled
 ) -> PaperModel:
     evidence = [taught.fruit[row].evidence for row in chosen]
     views = np.concatenate([one.view_features for one in evidence]).astype(np.float64)

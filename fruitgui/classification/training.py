@@ -15,8 +15,8 @@ from fruitgui.classification.evidence import FeatureNames, LabelledFruit
 from fruitgui.classification.fitting import FruitSet, around, fit_core, fruit_set
 from fruitgui.classification.held_out import FOLDS, HeldOut, deal, hold_out
 from fruitgui.classification.intervals import rate
-from fruitgui.classification.lesson import Lesson, lesson
 from fruitgui.classification.model import KindModel
+from fruitgui.classification.training_set import TrainingSet, training_set
 from fruitgui.frame import Ints
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
 
@@ -35,10 +35,10 @@ def train(
     """Return a model of the kinds, with what is known about it. The same input and seed give the same model.
 
     Raises:
-        InputError: see `lesson`.
+        InputError: see `training_set`.
         CancelledByUserError: `cancelled` said so.
     """
-    taught = lesson(fruits, names)
+    taught = training_set(fruits, names)
     random = np.random.default_rng(seed)
     evidence = [one.evidence for one in taught.fruit]
     fruit = fruit_set(evidence, taught.numbers, len(taught.kinds), names)
@@ -60,14 +60,14 @@ def train(
     return account(model, taught.kinds, fruits, judged, curve)
 
 
-def _strangers(taught: Lesson, names: FeatureNames) -> FruitVectors | None:
+def _strangers(taught: TrainingSet, names: FeatureNames) -> FruitVectors | None:
     """Return the first two hundred strangers as points; more would slow every vote."""
     if not taught.strangers:
         return None
     return fruit_vectors([one.evidence for one in taught.strangers[:_MOST_STRANGERS]], names)
 
 
-def _judged(taught: Lesson, held: HeldOut) -> list[Judged]:
+def _judged(taught: TrainingSet, held: HeldOut) -> list[Judged]:
     """Return the held-out fruit with their votes, in the order given; each fold weighed by the other folds."""
     votes: dict[int, Judged] = {}
     for fold in range(FOLDS):
@@ -79,7 +79,7 @@ def _judged(taught: Lesson, held: HeldOut) -> list[Judged]:
     return [votes[row] for row in sorted(votes)]
 
 
-def _strangers_judged(taught: Lesson, model: KindModel, strangers: FruitVectors | None) -> list[Judged]:
+def _strangers_judged(taught: TrainingSet, model: KindModel, strangers: FruitVectors | None) -> list[Judged]:
     """Return the strangers with the votes of a model that knows only the other folds' strangers."""
     if strangers is None:
         return []
@@ -93,7 +93,7 @@ def _strangers_judged(taught: Lesson, model: KindModel, strangers: FruitVectors 
 
 def _curve(
     fruit: FruitSet,
-    taught: Lesson,
+    taught: TrainingSet,
     fold: Ints,
     model: KindModel,
     random: np.random.Generator,

@@ -36,11 +36,11 @@ def run(options: argparse.Namespace, console: Console) -> int:
             "Give one labels file for each recording, in the same order.",
         )
     out = check_output(options.model, [*options.recordings, *options.labels, options.station])
-    lessons = [
+    labelled = [
         (source(options, recording), labels)
         for recording, labels in zip(options.recordings, options.labels, strict=True)
     ]
-    trained = train_recordings(lessons, options.station, out, options.seed, console.progress)
+    trained = train_recordings(labelled, options.station, out, options.seed, console.progress)
     console.warn(trained.warnings)
     console.result(trained.value(out))
     for line in trained.lines(out):

@@ -77,8 +77,8 @@ def run_chain(
         return Chain(calibration, None, None, None, calibration.warnings)
     write_labels(labels, truth_labels(acts.training.simulation, volume_share=REFERENCE_SHARE))
     progress(0.6, "Training")
-    lessons = [(RecordingSource(acts.training.path(folder)), labels)]
-    training = train_recordings(lessons, station, model, cancelled=cancelled)
+    labelled = [(RecordingSource(acts.training.path(folder)), labels)]
+    training = train_recordings(labelled, station, model, cancelled=cancelled)
     progress(0.8, "Running the line")
     options = RunOptions(model=model, paper=paper)
     report = run_recording(RecordingSource(acts.line.path(folder)), station, options, cancelled=cancelled)

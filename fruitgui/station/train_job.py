@@ -113,7 +113,7 @@ def _confusion_lines(training: Training[KindModel]) -> list[str]:
 
 
 def train_recordings(
-    lessons: Sequence[tuple[RecordingSource, Path]],
+    labelled: Sequence[tuple[RecordingSource, Path]],
     station_path: Path,
     out: Path,
     seed: int = 0,
@@ -127,24 +127,24 @@ def train_recordings(
         WorldError: the model cannot be written.
     """
     station = read_station(station_path)
-    labels = [read_labels(path) for _, path in lessons]
+    labels = [read_labels(path) for _, path in labelled]
     taught: list[Taught] = []
     warnings: list[str] = []
-    for number, ((source, path), read) in enumerate(zip(lessons, labels, strict=True)):
-        progress(0.8 * number / len(lessons), f"Watching {source.path.name}")
-        lesson = _Lesson(source, station, read.labels, f"{number}", cancelled)
-        taught += lesson.taught()
-        warnings += [*lesson.warnings(path), *read.warnings[:MOST_WARNINGS]]
+    for number, ((source, path), read) in enumerate(zip(labelled, labels, strict=True)):
+        progress(0.8 * number / len(labelled), f"Watching {source.path.name}")
+        one = _Labelled(source, station, read.labels, f"{number}", cancelled)
+        taught += one.taught()
+        warnings += [*one.warnings(path), *read.warnings[:MOST_WARNINGS]]
     if not taught:
         raise InputError(
             "no_label_matched",
             "No row of the labels points at a fruit that crossed the belt.",
             "Check that labels and recordings belong together and are given in the same order.",
-            file=lessons[0][1],
+            file=labelled[0][1],
         )
     made_from = {
-        "recordings": [source.path.name for source, _ in lessons],
-        "labels": [path.name for _, path in lessons],
+        "recordings": [source.path.name for source, _ in labelled],
+        "labels": [path.name for _, path in labelled],
     }
     outcome = train_taught(taught, made_from, out, seed, _later(progress), cancelled)
     return replace(outcome, warnings=(*dict.fromkeys(warnings), *outcome.warnings))
@@ -214,7 +214,7 @@ class _Said:
         return self.kinds.most_common(1)[0][0]
 
 
-class _Lesson:
+class _Labelled:
     """One recording with its labels."""
 
     def __init__(

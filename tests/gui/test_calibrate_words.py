@@ -14,7 +14,7 @@ from fruitgui.gui.steps.calibrate.cloud import Side, extent_of, fitted, layer, w
 from fruitgui.gui.steps.calibrate.core_words import in_words
 from fruitgui.gui.steps.calibrate.prospect import prospect_of
 from fruitgui.gui.steps.calibrate.reasons import told
-from fruitgui.gui.steps.calibrate.sketches import LENGTH, LESSONS, PREPARE, WIDTH
+from fruitgui.gui.steps.calibrate.sketches import LENGTH, PREPARE, WIDTH, WRONG_AND_RIGHT
 from fruitgui.gui.steps.calibrate.verdict import graph_of, kept_links, verdict_of, verdict_of_station
 from fruitgui.station.calibrate_job import CalibrationOutcome, quality_value
 from fruitgui.station.fused_cloud import SensorCloud
@@ -91,7 +91,7 @@ def test_every_refusal_has_three_sentences_and_two_pictures(code: str) -> None:
     assert "kinect_1, kinect_2" in one.seen
     assert one.why
     assert one.remedy
-    wrong, right = LESSONS[code]
+    wrong, right = WRONG_AND_RIGHT[code]
     assert (wrong.good, right.good) == (False, True)
 
 
@@ -110,7 +110,7 @@ def test_a_sensor_without_a_belt_is_told_from_one_that_is_held_loosely() -> None
 
 
 def test_sketches_lie_on_the_belt() -> None:
-    for sketch in (*PREPARE, *(one for pair in LESSONS.values() for one in pair)):
+    for sketch in (*PREPARE, *(one for pair in WRONG_AND_RIGHT.values() for one in pair)):
         for piece in sketch.pieces:
             assert piece.radius <= piece.x <= LENGTH - piece.radius
             assert piece.radius <= piece.y <= WIDTH - piece.radius

@@ -137,7 +137,7 @@ def test_progress_rises_and_cancel_stops(
         train(few, NAMES, cancelled=lambda: next(asked) > 30)
 
 
-def test_bad_lessons_are_refused(orchard: Orchard) -> None:
+def test_bad_training_sets_are_refused(orchard: Orchard) -> None:
     fruit = orchard.harvest(each=2, views=2, seed=3)
     with pytest.raises(InputError, match="no labelled fruit"):
         train([], NAMES)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from fruitgui.gui.steps.calibrate.reasons import Told
 from fruitgui.gui.steps.calibrate.sketch_view import SketchView
-from fruitgui.gui.steps.calibrate.sketches import LESSONS
+from fruitgui.gui.steps.calibrate.sketches import WRONG_AND_RIGHT
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label
@@ -30,7 +30,7 @@ class ReasonCard(Card):
             one.setWordWrap(True)
         pictures = QHBoxLayout()
         pictures.setSpacing(1 * GRID)
-        for sketch in LESSONS[told.code]:
+        for sketch in WRONG_AND_RIGHT[told.code]:
             view = SketchView(theme)
             view.show_sketch(sketch, told.remedy if sketch.good else told.seen)
             pictures.addWidget(view, 1)

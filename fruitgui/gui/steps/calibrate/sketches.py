@@ -62,7 +62,7 @@ _LINKED = (_GROUPS[0], _GROUPS[1], ((42, -6), (84, -3), (82, 43), (40, 46)))
 
 PREPARE = (Sketch(_UNEVEN, _WIDE),)
 
-LESSONS: Mapping[str, tuple[Sketch, Sketch]] = {
+WRONG_AND_RIGHT: Mapping[str, tuple[Sketch, Sketch]] = {
     "too_little_structure": (Sketch(_FEW, _WIDE, good=False), Sketch(_UNEVEN, _WIDE, good=True)),
     "too_little_overlap": (Sketch(_SIDES, _APART, good=False), Sketch(_UNEVEN, _THIRD, good=True)),
     "ambiguous": (Sketch(_GRID, _WIDE, good=False), Sketch(_UNEVEN, _WIDE, good=True)),

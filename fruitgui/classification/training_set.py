@@ -15,7 +15,7 @@ from fruitgui.frame import Ints
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Lesson:
+class TrainingSet:
     """Labelled fruit sorted for training.
 
     Attributes:
@@ -33,7 +33,7 @@ class Lesson:
     strangers: tuple[LabelledFruit, ...]
 
 
-def lesson(fruits: Sequence[LabelledFruit], names: FeatureNames) -> Lesson:
+def training_set(fruits: Sequence[LabelledFruit], names: FeatureNames) -> TrainingSet:
     """Sort labelled fruit for training.
 
     Raises:
@@ -49,4 +49,4 @@ def lesson(fruits: Sequence[LabelledFruit], names: FeatureNames) -> Lesson:
     piece: dict[tuple[str, str], int] = {}
     pieces = [piece.setdefault((one.source, one.fruit_id), len(piece)) for one in known]
     strangers = tuple(one for one in fruits if one.kind == UNKNOWN)
-    return Lesson(kinds, known, numbers, np.array(pieces, dtype=np.intp), strangers)
+    return TrainingSet(kinds, known, numbers, np.array(pieces, dtype=np.intp), strangers)
