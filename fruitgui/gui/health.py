@@ -119,7 +119,7 @@ def _clock_jumped() -> tuple[str, str]:
 def _clock_put_right() -> tuple[str, str]:
     return (
         QCoreApplication.translate("Health", "The clock of {sensors} was off and was put right, judged by the fruit."),
-        QCoreApplication.translate("Health", "Fruit in view at that moment may have been counted twice."),
+        QCoreApplication.translate("Health", "No fruit was counted before; nothing is to be done."),
     )
 
 

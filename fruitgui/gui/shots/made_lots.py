@@ -86,7 +86,8 @@ def _cut(frame: Frame, mount: Mount, at_m: np.ndarray, length_m: float) -> Cut |
         return None
     outline = cv2.convexHull(max(contours, key=cv2.contourArea)).reshape(-1, 2).astype(np.float32)
     color = frame.color[y0:y1, x0:x1].copy()
-    return Cut(frame.sensor, frame.time_s, x0, y0, color, depth_mm.copy(), outline, 1.0)
+    box_px = (x0, y0, x1 - x0, y1 - y0)
+    return Cut(frame.sensor, frame.time_s, box_px, x0, y0, color, depth_mm.copy(), outline, 1.0)
 
 
 def made_fruit(rng: Generator, number: int, kind: str) -> Fruit:

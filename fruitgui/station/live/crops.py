@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import cv2
@@ -32,6 +33,7 @@ class Cut:
     Attributes:
         sensor: the station's id.
         time_s: of the frame, in the sensor's own clock.
+        box_px: of the view, in the picture.
         left_px, top_px: of the corner, in the picture.
         color, depth_mm: of the part.
         outline_px: (K, 2) of the fruit, within the part.
@@ -40,6 +42,7 @@ class Cut:
 
     sensor: str
     time_s: float
+    box_px: tuple[int, int, int, int]
     left_px: int
     top_px: int
     color: U8
@@ -53,6 +56,7 @@ class Album:
 
     def __init__(self) -> None:
         self._cuts: dict[int, dict[str, Cut]] = {}
+        self._loose: dict[tuple[str, float, tuple[int, int, int, int]], Cut] = {}
 
     def look(self, track: int, view: FruitView, frame: Frame) -> None:
         """Cut a view out if it is clearly better than what there is of its sensor."""
@@ -65,6 +69,20 @@ class Album:
             return
         if before is None or worth > CLEARLY_BETTER * before.worth:
             cuts[view.sensor] = cut(view, frame, worth)
+
+    def begin_anew(self, more: Iterable[Cut]) -> None:
+        """Forget whose cuts these are, but not the cuts; `more` were given away and are to be found again too."""
+        cuts = [one for of_track in self._cuts.values() for one in of_track.values()]
+        self._loose = {(one.sensor, one.time_s, one.box_px): one for one in (*cuts, *more)}
+        self._cuts = {}
+
+    def find(self, track: int, view: FruitView) -> None:
+        """Give a track the cut of one of its views, if there is one: the frame itself is gone."""
+        found = self._loose.get((view.sensor, view.time_s, view.box_px))
+        cuts = self._cuts.setdefault(track, {})
+        before = cuts.get(view.sensor)
+        if found is not None and (before is None or found.worth > before.worth):
+            cuts[view.sensor] = found
 
     def take(self, track: int) -> tuple[Cut, ...]:
         """Return the cuts of a track and forget them, the best first."""
@@ -88,6 +106,7 @@ def cut(view: FruitView, frame: Frame, worth: float) -> Cut:
     return Cut(
         sensor=view.sensor,
         time_s=frame.time_s,
+        box_px=view.box_px,
         left_px=x0,
         top_px=y0,
         color=frame.color[y0:y1, x0:x1].copy(),

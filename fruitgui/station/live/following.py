@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import cv2
@@ -82,7 +82,9 @@ class Following:
     def __init__(self, rig: Rig, station: Station, bench: Bench) -> None:
         self.rig = rig
         self._bumps = BumpWatch(rig)
-        self._tracker = Tracker(rig, known_belt(station, None, None))
+        self._bench = bench
+        self._known_belt = known_belt(station, None, None)
+        self._tracker = Tracker(rig, self._known_belt)
         self.above = FromAbove(rig)
         self._album = Album()
         self._opinions = Opinions(bench)
@@ -94,12 +96,36 @@ class Following:
     def follow(self, frame: Frame, observation: Observation, now_s: float) -> list[Parted]:
         """Take an observation and its frame; return the fruit that it finished."""
         self._bumps.see_frame(observation.sensor, frame)
+        tracks = self._update(observation)
+        for view, track in self._tracker.shown:
+            self._album.look(track, view, frame)
+        self._opinions.form(self._tracker, self._live, now_s)
+        return self._parted(tracks)
+
+    def begin_anew(self, cuts: Iterable[Cut]) -> None:
+        """Forget all fruit in view; what was seen of them will come again.
+
+        Args:
+            cuts: of fruit that left and will leave again.
+        """
+        self._tracker = Tracker(self.rig, self._known_belt)
+        self._opinions = Opinions(self._bench)
+        self._trails, self._live = {}, ()
+        self._album.begin_anew(cuts)
+
+    def follow_again(self, observation: Observation) -> list[Parted]:
+        """Take an observation that was followed before, without its frame; return the fruit that it finished."""
+        tracks = self._update(observation)
+        for view, track in self._tracker.shown:
+            self._album.find(track, view)
+        return self._parted(tracks)
+
+    def _update(self, observation: Observation) -> list[Track]:
         tracks = self._tracker.update(observation)
         self._live = self._tracker.live
         self._watch_belt()
-        self._note(frame)
-        self._opinions.form(self._tracker, self._live, now_s)
-        return self._parted(tracks)
+        self._note()
+        return tracks
 
     @property
     def stale(self) -> dict[tuple[str, ...], str]:
@@ -119,21 +145,22 @@ class Following:
             self.velocity_m_s = now.velocity_m_s
             self.above.head_along(belt.velocity_m_s)
 
-    def _note(self, frame: Frame) -> None:
-        """Write down where everything is, and cut out what this frame shows better."""
+    def _note(self) -> None:
+        """Write down where everything is."""
         places = {one.track: one.position_m for one in self._live}
         for gone in self._trails.keys() - places.keys():
             del self._trails[gone]
         for track, position_m in places.items():
             self._trails.setdefault(track, _Trail()).note(position_m)
         for view, track in self._tracker.shown:
-            self._album.look(track, view, frame)
             if track in places:
                 self._trails[track].see(view, self.rig.mounts[view.sensor], places[track], self.above)
 
+    def see_off(self, parted: Parted) -> None:
+        """Look at a fruit that left for good, for whether two sensors saw it at one place."""
+        self._bumps.close.see_track(parted.track)
+
     def _parted(self, tracks: list[Track]) -> list[Parted]:
-        for track in tracks:
-            self._bumps.close.see_track(track)
         return [Parted(track, self._album.take(track.track)) for track in tracks]
 
     def tracks_now(self) -> tuple[TrackNow, ...]:

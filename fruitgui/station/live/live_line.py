@@ -18,8 +18,8 @@ from fruitgui.sensors.feed import Arrival, ByCapture, Feed, Subscription
 from fruitgui.station.lineup import line_up
 from fruitgui.station.live.bench import Bench, Hands, HelperLostError, JobError, Look, attempted
 from fruitgui.station.live.counting import Counting, Teacher
-from fruitgui.station.live.first_look import FirstLook
-from fruitgui.station.live.following import Following, Parted
+from fruitgui.station.live.first_look import FirstLook, Leaving
+from fruitgui.station.live.following import Following
 from fruitgui.station.live.intake import LIVE, ClockWatch, Intake
 from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
 from fruitgui.station.live.warnings import Warnings
@@ -91,10 +91,12 @@ class LiveLine:
         self._clocks = ClockWatch(intake.jump_s)
         self._warnings = Warnings(self._lineup.warnings)
         self._following = Following(self._lineup.rig, station, self._bench)
-        self._first_look = FirstLook(self._lineup.rig)
+        self._first_look = FirstLook(self._following)
+        self._put_right: set[str] = set()
+        self._leaps_s = dict(self._lineup.offsets_s)
         self._counting = Counting(self._lineup.rig, hands.worker(), self._bench, sink, teacher, self._warnings.add)
         self._perceived: queue.Queue[_Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
-        self._parted: queue.Queue[Parted | None] = queue.Queue(FRUIT_AHEAD)
+        self._parted: queue.Queue[Leaving | None] = queue.Queue(FRUIT_AHEAD)
         self._subscription: Subscription | None = None
         self._threads: tuple[threading.Thread, ...] = ()
         self._latencies: deque[float] = deque(maxlen=LATENCIES)
@@ -155,7 +157,7 @@ class LiveLine:
             frames=self._frames,
             latency_s=statistics.median(self._latencies or (0.0,)),
             backlog=(subscription.waiting if subscription else 0) + self._perceived.qsize(),
-            waiting_fruit=self._parted.qsize() + self._counting.sink_state.waiting,
+            waiting_fruit=self._first_look.held + self._parted.qsize() + self._counting.sink_state.waiting,
             dropped=subscription.dropped if subscription else {},
             skipped=self._skipped,
             sink=self._counting.sink_state,
@@ -187,7 +189,7 @@ class LiveLine:
     def _perceive(self, arrival: Arrival) -> _Perceived:
         frame = self._lineup.corrected(arrival.frame)
         self._watch_clock(arrival)
-        look = Look(frame, self._order.time_s(arrival))
+        look = Look(frame, self._time_s(frame))
         answer = self._bench.ask(look)
         if answer is None:
             answer = self._looked(look)
@@ -203,10 +205,15 @@ class LiveLine:
             answer.set_exception(JobError(error))
         return answer
 
+    def _time_s(self, frame: Frame) -> float:
+        """Return a frame's capture time, before what the first look may find."""
+        return frame.time_s + self._leaps_s.get(frame.sensor, 0.0)
+
     def _watch_clock(self, arrival: Arrival) -> None:
         sensor = arrival.frame.sensor
-        leap_s = self._clocks.leap_s(sensor, self._order.time_s(arrival), arrival.arrived_s)
+        leap_s = self._clocks.leap_s(sensor, self._time_s(arrival.frame), arrival.arrived_s)
         if leap_s:
+            self._leaps_s[sensor] = self._leaps_s.get(sensor, 0.0) + leap_s
             self._order.shift({sensor: leap_s})
             text = f"The clock of sensor {sensor} leapt by {-leap_s:+.1f} s; it is followed on from there."
             self._warnings.add("clock_jumped", text, (sensor,))
@@ -215,19 +222,25 @@ class LiveLine:
 
     def _follow_all(self) -> None:
         while (perceived := self._perceived.get()) is not None:
-            for parted in self._followed(perceived):
-                self._parted.put(parted)
-        for parted in self._following.finish():
-            self._parted.put(parted)
+            self._let_go(self._followed(perceived))
+        self._let_go(self._settled())
+        self._let_go([(parted, self._lot) for parted in self._following.finish()])
         self._draw()
         self._parted.put(None)
 
-    def _followed(self, perceived: _Perceived) -> list[Parted]:
+    def _let_go(self, leaving: list[Leaving]) -> None:
+        """Hand fruit on to be counted."""
+        for parted, lot in leaving:
+            self._following.see_off(parted)
+            self._parted.put((parted, lot))
+
+    def _followed(self, perceived: _Perceived) -> list[Leaving]:
         sensor = perceived.frame.sensor
         try:
-            observation = self._observation(perceived)
+            observation = self._first_look.right(self._observation(perceived))
             parted = self._following.follow(perceived.frame, observation, time.monotonic())
-            self._put_clocks_right(observation)
+            leaving = self._first_look.take(observation, parted, self._lot)
+            self._put_clocks_right()
         except Exception as error:  # noqa: BLE001 - one frame must not end the line; it is said
             self._skipped += 1
             self._warnings.add("frame_skipped", f"A frame of sensor {sensor} could not be used: {error}", (sensor,))
@@ -235,7 +248,7 @@ class LiveLine:
         self._frames += 1
         self._latencies.append(time.monotonic() - perceived.arrival.arrived_s)
         self._show(perceived.arrival, observation)
-        return parted
+        return leaving
 
     def _observation(self, perceived: _Perceived) -> Observation:
         try:
@@ -245,14 +258,23 @@ class LiveLine:
             return again
         return found
 
-    def _put_clocks_right(self, observation: Observation) -> None:
-        offsets_s = self._first_look.look(observation)
+    def _settled(self) -> list[Leaving]:
+        """Return the fruit that still wait for the clocks to be judged, when no more is to come."""
+        leaving = self._first_look.settle()
+        self._put_clocks_right()
+        return leaving
+
+    def _put_clocks_right(self) -> None:
+        """Let frames leave the queue in the order of clocks put right, once the first look has found how."""
         for sensor, name in self._lineup.station_id.items():
-            if name in offsets_s:
-                self._order.shift({sensor: offsets_s[name]})
-                text = f"The clock of sensor {name} is off by {offsets_s[name]:+.3f} s, judged by the fruit that both "
-                text += "sensors saw; it was put right. Fruit in view at that moment may have been counted twice."
-                self._warnings.add("clock_put_right", text, (name,))
+            offset_s = self._first_look.offsets_s.get(name)
+            if offset_s is not None and name not in self._put_right:
+                self._put_right.add(name)
+                self._order.shift({sensor: offset_s})
+                text = f"The clock of sensor {name} is off by {offset_s:+.3f} s, judged by the fruit that both sensors "
+                self._warnings.add(
+                    "clock_put_right", text + "saw; it was put right before any fruit was counted.", (name,)
+                )
 
     def _show(self, arrival: Arrival, observation: Observation) -> None:
         now_s, sensor = time.monotonic(), arrival.frame.sensor
@@ -278,19 +300,20 @@ class LiveLine:
     def _count_all(self) -> None:
         while True:
             try:
-                parted = self._parted.get(timeout=RETRY_S)
+                leaving = self._parted.get(timeout=RETRY_S)
             except queue.Empty:
                 self._counting.retry()
                 continue
-            if parted is None:
+            if leaving is None:
                 break
-            self._count(parted)
+            self._count(leaving)
         self._counting.retry()
         if self._phase is Phase.RUNNING:
             self._phase = Phase.ENDED
 
-    def _count(self, parted: Parted) -> None:
+    def _count(self, leaving: Leaving) -> None:
+        parted, lot = leaving
         try:
-            self._counting.count(parted, self._lot)
+            self._counting.count(parted, lot)
         except Exception as error:  # noqa: BLE001 - one fruit must not end the line; it is said
             self._warnings.add("fruit_not_counted", f"A fruit was followed but could not be counted: {error}", ())

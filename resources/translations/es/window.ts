@@ -66,10 +66,6 @@
         <translation>El reloj de {sensors} estaba desfasado y se corrigió según la fruta.</translation>
     </message>
     <message>
-        <source>Fruit in view at that moment may have been counted twice.</source>
-        <translation>La fruta a la vista en ese momento puede haberse contado dos veces.</translation>
-    </message>
-    <message>
         <source>Sensors and calibration differ; the line runs on what both have.</source>
         <translation>Los sensores y la calibración no coinciden; la línea sigue con lo que ambos tienen.</translation>
     </message>
@@ -80,6 +76,10 @@
     <message>
         <source>Connect the sensors that were calibrated, or calibrate again.</source>
         <translation>Conecte los sensores que se calibraron, o calibre de nuevo.</translation>
+    </message>
+    <message>
+        <source>No fruit was counted before; nothing is to be done.</source>
+        <translation>Antes no se contó ninguna fruta; no hay nada que hacer.</translation>
     </message>
     <message>
         <source>A picture of {sensors} could not be used and was left out.</source>

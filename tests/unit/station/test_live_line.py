@@ -34,11 +34,18 @@ BALLS = ((0.035, (200, 60, 40)), (0.028, (60, 170, 50)), (0.04, (210, 180, 50)))
 
 def passing(sensor: str, balls: int = 3, first_s: float = 0.0) -> list[Frame]:
     """Return frames of a row of balls that comes in on one side and leaves on the other."""
-    steps = round((1.6 + 0.24 * balls) / (SPEED_M_S * STEP_S))
+    return carried(sensor, [0.24 * n for n in range(balls)], first_s)
+
+
+def carried(sensor: str, behind_m: list[float], first_s: float = 0.0) -> list[Frame]:
+    """Return frames of balls that lie so far behind the first one and are carried from one side to the other."""
+    steps = round((1.84 + behind_m[-1]) / (SPEED_M_S * STEP_S))
     frames = []
     for number in range(steps):
         front_m = -0.8 + number * STEP_S * SPEED_M_S
-        row = tuple(Ball(front_m - 0.24 * n, 0.0, *BALLS[n % 3]) for n in range(balls) if abs(front_m - 0.24 * n) < 0.8)
+        row = tuple(
+            Ball(front_m - way_m, 0.0, *BALLS[n % 3]) for n, way_m in enumerate(behind_m) if abs(front_m - way_m) < 0.8
+        )
         frame = Table(row, tilt_rad=0.0, intrinsics=SMALL, seed=number).frame()
         frames.append(replace(frame, sensor=sensor, sequence=number, time_s=first_s + STEP_S * number))
     return frames
@@ -54,7 +61,7 @@ class Small(ScriptedSensor):
 
 def station(*names: str, correction: DepthCorrection | None = None) -> Station:
     sensors = {name: StationSensor(f"S-{name}", Pose.exact(), SURFACE, depth_correction=correction) for name in names}
-    return Station(names[0], sensors, np.array([SPEED_M_S, 0.0, 0.0]))
+    return Station(names[0], sensors, np.array([-SPEED_M_S, 0.0, 0.0]))
 
 
 @contextmanager
@@ -195,6 +202,59 @@ def test_a_clock_set_anew_is_said_and_followed_on() -> None:
         assert line.wait(60.0)
         assert {one.code for one in line.state.warnings} == {"clock_jumped"}
     assert len(sink.kept) == 3
+
+
+UNEVEN_M = [0.0, 0.2, 0.53, 0.7, 1.1, 1.27, 1.66, 1.9]
+
+
+def two_clocks(apart_s: float) -> tuple[LiveLine, Feed, MemorySink, tuple[Small, Small]]:
+    """Return a line of two sensors that see the same from one place, and whose clocks are apart."""
+    sensors = tuple(Small(name, carried(name, UNEVEN_M, first_s)) for name, first_s in (("a", 0.0), ("b", apart_s)))
+    return *line_of(*sensors), (sensors[0], sensors[1])
+
+
+@pytest.mark.parametrize("apart_s", [0.7, -1.2])
+def test_fruit_are_counted_once_where_a_clock_is_off_from_the_start(apart_s: float) -> None:
+    line, feed, sink, sensors = two_clocks(apart_s)
+    with running(line, feed):
+        for sensor in sensors:
+            sensor.end()
+        assert line.wait(60.0)
+        warnings = line.state.warnings
+    assert {(one.code, one.sensors) for one in warnings} == {("clock_put_right", ("b",))}
+    assert len(sink.kept) == len(UNEVEN_M)
+    for _, crops in sink.kept:
+        assert {crop.sensor for crop in crops} == {"a", "b"}, (
+            "pictures of both sensors, also of what was followed again"
+        )
+    assert line.state.waiting_fruit == 0
+
+
+def test_clocks_that_agree_are_left_alone() -> None:
+    line, feed, sink, sensors = two_clocks(0.0)
+    with running(line, feed):
+        for sensor in sensors:
+            sensor.end()
+        assert line.wait(60.0)
+    assert len(sink.kept) == len(UNEVEN_M)
+    assert line.state.warnings == ()
+
+
+def test_fruit_that_wait_for_the_clocks_go_into_the_lot_in_which_they_left() -> None:
+    frames = {name: carried(name, UNEVEN_M, first_s) for name, first_s in (("a", 0.0), ("b", 0.7))}
+    sensors = tuple(Small(name, of[:45]) for name, of in frames.items())
+    line, feed, sink = line_of(*sensors)
+    with running(line, feed):
+        until(lambda: line.state.frames == 90 and line.state.waiting_fruit > 0, 60.0)
+        assert sink.kept == []
+        line.count_into(None)
+        for sensor, of in zip(sensors, frames.values(), strict=True):
+            sensor.give(*of[45:])
+            sensor.end()
+        assert line.wait(60.0)
+    passed = line.state.totals.passed
+    assert len(sink.kept) + passed == len(UNEVEN_M)
+    assert 0 < len(sink.kept) < len(UNEVEN_M)
 
 
 def test_sensors_are_known_by_serial_and_depth_is_put_right() -> None:
