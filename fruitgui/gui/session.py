@@ -11,11 +11,13 @@ from PySide6.QtCore import QObject, Signal
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui.connected import Connected
+from fruitgui.gui.kind_book import KindBook
 from fruitgui.gui.lot_words import LotWords, lot_words
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.running import LinePlan, Running
 from fruitgui.gui.source_runner import SourceRunner
 from fruitgui.gui.tasks import TaskRunner
+from fruitgui.gui.theme.kinds import Looks
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.store import open_store
@@ -24,6 +26,7 @@ from fruitgui.station.connection import Connection
 from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.facts import facts_of
 from fruitgui.station.kept_file import Damage, Kept, KeptFile
+from fruitgui.station.kinds_file import KindNotes
 from fruitgui.station.model import Model
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.settings import Settings
@@ -49,6 +52,7 @@ class Session(QObject):
         source: opens what they come from.
         store: lots, fruit and what was taught.
         running: the line and its lot.
+        kinds: what each kind looks like and weighs.
         settings_changed, connection_changed, station_changed, projectors_changed: that file was saved.
         states_changed: a step may have another state now.
         taught_wanted: the taught fruit of a key is to be shown, on the screen where fruit get their kinds.
@@ -84,6 +88,7 @@ class Session(QObject):
         self._station = self._taken(workspace.station.load())
         self._projectors = self._taken(workspace.projectors.load()) or Projectors()
         self._marks = self._taken(workspace.marks.load()) or Marks()
+        self.kinds = KindBook(self._taken(workspace.kinds.load()) or KindNotes(), self._keep_kinds, self)
         self.connected.changed.connect(self._arrange_turns)
         self.station_changed.connect(self._arrange_turns)
         self._depths = self._taken(workspace.depths.load()) or DeviceDepths()
@@ -121,6 +126,11 @@ class Session(QObject):
     def taught(self) -> TaughtFacts | None:
         """What was taught, as far as was noted; None where nothing has a kind."""
         return self._taught
+
+    @property
+    def looks(self) -> Looks:
+        """What gives each kind its mark."""
+        return self.kinds.looks
 
     @property
     def marks(self) -> Marks:
@@ -175,6 +185,8 @@ class Session(QObject):
                 self._settings = files.settings.restore()
             elif damage.file == files.marks.path:
                 self._marks = files.marks.restore()
+            elif damage.file == files.kinds.path:
+                self.kinds.take(files.kinds.restore())
             elif damage.file == files.projectors.path:
                 self._projectors = files.projectors.restore()
             elif damage.file == files.depths.path:
@@ -302,6 +314,9 @@ class Session(QObject):
             return kept.value
 
         return model
+
+    def _keep_kinds(self, notes: KindNotes) -> bool:
+        return self._saved(self.workspace.kinds, notes)
 
     def _taken(self, kept: Kept[T]) -> T | None:
         if kept.damage is not None:

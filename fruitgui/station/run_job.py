@@ -15,6 +15,7 @@ from fruitgui.measurement.paper import paper_volume
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.judging import FEATURES, PaperVolume
+from fruitgui.station.kinds_file import read_kind_notes, with_typed_densities
 from fruitgui.station.line import Line
 from fruitgui.station.model import Model, read_model
 from fruitgui.station.observing import Watching
@@ -48,12 +49,16 @@ class RunOptions:
 def model_of(station: Station, station_path: Path, given: Path | None) -> Model | None:
     """Return the model to use: the one given, or the one that the station names beside it; None where there is none.
 
+    Densities that a person typed for this line, kept beside the station too, stand for those that were learned.
+
     Raises:
         InputError: the file cannot be used.
     """
     if given is None and station.model is not None:
         given = station_path.parent / station.model
-    return None if given is None else read_model(given, FEATURES)
+    if given is None:
+        return None
+    return with_typed_densities(read_model(given, FEATURES), read_kind_notes(station_path.parent))
 
 
 def named_model(station_path: Path) -> Path | None:

@@ -13,6 +13,8 @@ from fruitgui.station.connection import Connection
 from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.judging import FEATURES
 from fruitgui.station.kept_file import Damage, Kept, KeptFile, set_aside
+from fruitgui.station.kinds_file import NAME as KINDS
+from fruitgui.station.kinds_file import KindNotes, read_kind_notes, with_typed_densities
 from fruitgui.station.model import Model, read_model, write_model
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.settings import Settings
@@ -46,6 +48,7 @@ class Workspace:
     Attributes:
         folder: where everything lies.
         settings, connection, station, projectors, marks, depths: its small files.
+        settings, connection, station, projectors, marks, kinds: its small files.
         records_path, pictures_path: the databases, which the records room makes.
     """
 
@@ -56,6 +59,7 @@ class Workspace:
         self.projectors = _written(folder / "projectors.json", Projectors)
         self.marks = _written(folder / "steps.json", Marks)
         self.depths = _written(folder / "depths.json", DeviceDepths)
+        self.kinds = _written(folder / KINDS, KindNotes)
         self.station: KeptFile[Station] = KeptFile(folder / "station.json", read_station, write_station)
         self.records_path = folder / "records.sqlite"
         self.pictures_path = folder / "pictures.sqlite"
@@ -89,15 +93,24 @@ class Workspace:
         return station
 
     def model(self, station: Station) -> Kept[Model]:
-        """Return the model that a station names; a damaged one is set aside, and the newest good one named."""
+        """Return the model that a station names, with the densities that a person typed.
+
+        A damaged one is set aside, and the newest good one named. Densities that cannot be read are left out.
+        """
         if station.model is None:
             return Kept(None)
         path = self.folder / station.model
         try:
-            return Kept(read_model(path, FEATURES))
+            return Kept(with_typed_densities(read_model(path, FEATURES), self._kind_notes()))
         except InputError as error:
             aside = set_aside(path) if path.exists() and error.code != "cannot_read" else None
             return Kept(None, Damage(path, error, aside, self._newest_good(path)))
+
+    def _kind_notes(self) -> KindNotes:
+        try:
+            return read_kind_notes(self.folder)
+        except InputError:  # said where the file is opened for itself
+            return KindNotes()
 
     def _newest_good(self, but: Path) -> Path | None:
         for file in reversed(self.models()):

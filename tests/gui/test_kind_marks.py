@@ -3,7 +3,9 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fruitgui.gui.kind_book import KindBook
 from fruitgui.gui.theme.kinds import UNKNOWN, kind_marks
+from fruitgui.station.kinds_file import KindNotes
 
 
 @given(st.lists(st.text(st.characters(categories=["L", "N", "Zs"]), min_size=1, max_size=12), max_size=40))
@@ -20,3 +22,39 @@ def test_letters_are_the_first_of_the_name_as_far_as_they_go() -> None:
     assert [marks[kind].letters for kind in ("lemon", "Chilean avocado", "Peruvian avocado", "pear")] == [
         "L", "C", "P", "Pe",
     ]  # fmt: skip
+
+
+@given(st.lists(st.sampled_from("abcdefghijkl"), max_size=12), st.lists(st.sampled_from("abcdefghijkl"), max_size=12))
+def test_a_kind_keeps_its_mark_whatever_comes_or_goes(first: list[str], then: list[str]) -> None:
+    kept: list[KindNotes] = []
+    book = KindBook(KindNotes(), lambda notes: kept.append(notes) is None)
+    before = book.looks(first)
+    after = KindBook(kept[-1] if kept else KindNotes(), lambda _: True).looks(then)
+    assert {kind: after[kind] for kind in after if kind in before} == {
+        kind: before[kind] for kind in after if kind in before
+    }
+    assert len({(mark.colour, mark.shape) for mark in after.values()}) == len(after)
+
+
+def test_marks_are_kept_once_and_not_at_every_look() -> None:
+    kept: list[KindNotes] = []
+    book = KindBook(KindNotes(), lambda notes: kept.append(notes) is None)
+    assert book.looks(["lemon", "pear"])["pear"] == book.looks(["pear"])["pear"]
+    book.looks([UNKNOWN])
+    assert len(kept) == 1
+
+
+def test_a_typed_density_is_told_only_once_it_is_kept() -> None:
+    told: list[bool] = []
+    works = False
+    book = KindBook(KindNotes(), lambda _: works)
+    book.changed.connect(lambda: told.append(True))
+    book.type_densities({"lemon": 0.97})
+    assert (book.densities_g_ml, told) == ({}, [])
+    works = True
+    book.type_densities({"lemon": 0.97, "pear": None})
+    assert (book.densities_g_ml, told) == ({"lemon": 0.97}, [True])
+    book.type_densities({"lemon": 0.97})
+    assert told == [True], "nothing new"
+    book.type_densities({"lemon": None})
+    assert book.densities_g_ml == {}

@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.school import LABELS, RECORDING, enrolled, school, small_class
+from fruitgui.gui.steps.teach.densities import DensitiesDialog
 from fruitgui.gui.steps.teach.desk import Pile, Shelf
 from fruitgui.gui.steps.teach.page import TeachPage
 from fruitgui.gui.theme.theme import Theme
@@ -290,3 +291,27 @@ def test_everything_that_is_pressed_is_large_enough_for_a_glove(page: TeachPage)
             assert one.accessibleName() or one.text()
     assert page.grid.visualRect(page.model.index(0)).width() >= 100
     assert page.grid.indexAt(QPoint(40, 40)).isValid()
+
+
+def test_a_density_is_typed_for_a_kind_and_kept(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
+    assert not page.weigh.isEnabled(), "there is no kind yet"
+    page.room.name([page.grid.chosen()[0]], "lemon")
+    _rest(qtbot, page)
+    page.weigh.trigger()
+    (dialog,) = page.findChildren(DensitiesDialog)
+    field = dialog.fields["lemon"]
+    qtbot.keyClicks(field, "9,7")
+    assert not dialog.save.isEnabled()
+    assert "Lemon" in dialog._wrong.text()
+    field.clear()
+    qtbot.keyClicks(field, "0,97")
+    with qtbot.waitSignal(taught.kinds.changed):
+        dialog.save.click()
+    assert taught.kinds.densities_g_ml == {"lemon": 0.97}
+    kept = taught.workspace.kinds.load().value
+    assert kept is not None
+    assert kept.typed_densities() == {"lemon": 0.97}
+    page.weigh.trigger()
+    again = page.findChildren(DensitiesDialog)[-1]
+    assert again.typed == {"lemon": 0.97}
+    again.reject()

@@ -115,7 +115,11 @@ def test_accepting_takes_the_model_into_use_and_the_steps_follow(
     _accept(qtbot, page)
     assert taught.station is not None
     assert taught.station.model == "models/model-0001.fruit"
-    assert taught.workspace.model(taught.station).value is not None
+    taught.kinds.type_densities({"lemon": 0.5})
+    model = taught.workspace.model(taught.station).value
+    assert model is not None
+    assert model.correction.densities["lemon"].value == 500.0, "what a person typed"
+    assert 900.0 < model.correction.densities["red_apple"].value < 1100.0, "what reference fruit taught"
     state = taught.states()[Step.TRAIN]
     assert (state.state, state.remarks) == (State.DONE, ())
     version = taught.store.models.in_use()

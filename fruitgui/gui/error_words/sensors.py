@@ -145,4 +145,19 @@ def words() -> Mapping[str, tuple[str, str]]:
                 "Errors", "Record it again with colour, depth, and their calibration. The log says what is missing."
             ),
         ),
+        "no_udev": (
+            translate("Errors", "This system has no udev."),
+            translate("Errors", "The rules are of use on Linux with udev only; nothing is to be done."),
+        ),
+        "not_administrator": (
+            translate("Errors", "Only the administrator of this computer may do that."),
+            translate("Errors", "Ask whoever looks after this computer to do it."),
+        ),
+        "rules_not_installed": (
+            translate("Errors", "The rules for the sensors were not installed."),
+            translate(
+                "Errors",
+                "Try again with the administrator's password, or ask whoever looks after this computer.",
+            ),
+        ),
     }

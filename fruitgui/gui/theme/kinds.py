@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import Enum
 
@@ -25,12 +26,13 @@ class Shape(Enum):
 
 @dataclass(frozen=True, slots=True)
 class KindMark:
-    """A kind's mark: `#rrggbb`, a shape, and one or two letters."""
+    """A kind's mark: `#rrggbb`, a shape, and one or two letters; `number` says which colour and shape."""
 
     kind: str
     colour: str
     shape: Shape
     letters: str
+    number: int = -1
 
 
 OKABE_ITO = ("#e69f00", "#56b4e9", "#009e73", "#f0e442", "#3b8ee0", "#d55e00", "#cc79a7", "#b0b0b0")
@@ -43,19 +45,40 @@ _SHAPES = (
 UNKNOWN_MARK = KindMark(UNKNOWN, "#9aa4ac", Shape.RING, "?")
 
 
-def kind_marks(kinds: Sequence[str]) -> dict[str, KindMark]:
-    """Return a mark for each kind in the order given, and one for `unknown`.
+Marks = dict[str, KindMark]
+Looks = Callable[[Iterable[str]], Marks]
+"""Gives each kind its mark, always the same one."""
+
+
+def kind_mark(kind: str, number: int, letters: str) -> KindMark:
+    """Return the mark of a number.
 
     Colour and shape go round at different speeds from the ninth kind on, so that no two of 64 kinds share both.
     """
+    shape = _SHAPES[(number + number // len(_SHAPES)) % len(_SHAPES)]
+    return KindMark(kind, OKABE_ITO[number % len(OKABE_ITO)], shape, letters, number)
+
+
+def kind_marks(kinds: Iterable[str], kept: Iterable[KindMark] = ()) -> Marks:
+    """Return a mark for each kind, and one for `unknown`.
+
+    Args:
+        kinds: that are to have one; a new kind gets the first number and letters that are free.
+        kept: marks that kinds have already; they stay as they are.
+    """
+    known = {mark.kind: mark for mark in kept}
+    letters = {UNKNOWN_MARK.letters, *(mark.letters for mark in known.values())}
+    numbers = {mark.number for mark in known.values()}
     marks = {UNKNOWN: UNKNOWN_MARK}
-    taken: set[str] = {UNKNOWN_MARK.letters}
-    named = [kind for kind in dict.fromkeys(kinds) if kind != UNKNOWN]
-    for number, kind in enumerate(named):
-        letters = _letters(kind, taken)
-        taken.add(letters)
-        shape = _SHAPES[(number + number // len(_SHAPES)) % len(_SHAPES)]
-        marks[kind] = KindMark(kind, OKABE_ITO[number % len(OKABE_ITO)], shape, letters)
+    for kind in dict.fromkeys(kinds):
+        if kind == UNKNOWN:
+            continue
+        if kind not in known:
+            number = next(one for one in itertools.count() if one not in numbers)
+            known[kind] = kind_mark(kind, number, _letters(kind, letters))
+            numbers.add(number)
+            letters.add(known[kind].letters)
+        marks[kind] = known[kind]
     return marks
 
 

@@ -103,7 +103,8 @@ def install_rules(install: RulesInstall) -> None:
     try:
         target.parent.mkdir(exist_ok=True)
     except OSError as error:
-        raise WorldError("cannot_write", f"Cannot make {target.parent}: {error.strerror}.", REMEDY) from error
+        what = f"Cannot make {target.parent}: {error.strerror}."
+        raise WorldError("cannot_write", what, REMEDY, file=target.parent) from error
     with written_whole(target) as beside:
         beside.write_bytes(install.source.read_bytes())
     target.chmod(0o644)

@@ -416,6 +416,30 @@
         <translation>Grábelo de nuevo con color, profundidad y su calibración. El registro dice qué falta.</translation>
     </message>
     <message>
+        <source>This system has no udev.</source>
+        <translation>Este sistema no tiene udev.</translation>
+    </message>
+    <message>
+        <source>The rules are of use on Linux with udev only; nothing is to be done.</source>
+        <translation>Las reglas solo sirven en Linux con udev; no hay nada que hacer.</translation>
+    </message>
+    <message>
+        <source>Only the administrator of this computer may do that.</source>
+        <translation>Solo el administrador de este equipo puede hacerlo.</translation>
+    </message>
+    <message>
+        <source>Ask whoever looks after this computer to do it.</source>
+        <translation>Pídaselo a quien cuida de este equipo.</translation>
+    </message>
+    <message>
+        <source>The rules for the sensors were not installed.</source>
+        <translation>No se instalaron las reglas para los sensores.</translation>
+    </message>
+    <message>
+        <source>Try again with the administrator&apos;s password, or ask whoever looks after this computer.</source>
+        <translation>Intente de nuevo con la clave del administrador, o pídaselo a quien cuida de este equipo.</translation>
+    </message>
+    <message>
         <source>This cannot be the name of a kind.</source>
         <translation>Ese no puede ser el nombre de un tipo.</translation>
     </message>

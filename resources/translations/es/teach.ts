@@ -93,6 +93,41 @@
     </message>
 </context>
 <context>
+    <name>DensitiesDialog</name>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Density of each kind</source>
+        <translation>Densidad de cada tipo</translation>
+    </message>
+    <message>
+        <source>Density of {kind}, g/ml</source>
+        <translation>Densidad de {kind}, g/ml</translation>
+    </message>
+    <message>
+        <source>By reference fruit</source>
+        <translation>Por fruta de referencia</translation>
+    </message>
+    <message>
+        <source>Typed</source>
+        <translation>Escrita</translation>
+    </message>
+    <message>
+        <source>A mass is the volume times the density of the kind. Reference fruit of which you measured volume and weight teach it; a number typed here stands instead. Empty leaves it to the reference fruit. It holds from the next lot on.</source>
+        <translation>Una masa es el volumen por la densidad del tipo. La enseña la fruta de referencia cuyo volumen y peso midió; un número escrito aquí la reemplaza. Vacío lo deja a la fruta de referencia. Vale desde el próximo lote.</translation>
+    </message>
+    <message>
+        <source>{kind}: a density lies between {least} and {most} g/ml; water has 1.</source>
+        <translation>{kind}: una densidad está entre {least} y {most} g/ml; el agua tiene 1.</translation>
+    </message>
+</context>
+<context>
     <name>KindButton</name>
     <message>
         <source>Give this kind to the chosen fruit</source>
@@ -308,6 +343,10 @@
     <message>
         <source>Remove for good</source>
         <translation>Eliminar para siempre</translation>
+    </message>
+    <message>
+        <source>Density of each kind</source>
+        <translation>Densidad de cada tipo</translation>
     </message>
     <message>
         <source>Read a labels file</source>

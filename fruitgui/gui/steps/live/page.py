@@ -38,7 +38,7 @@ class LivePage(StepPage):
         super().__init__(parent)
         self._session = session
         self._running: Running = session.running
-        self._marks = Marks()
+        self._marks = Marks(session.looks)
         self._drawn: dict[str, object] = {}
         self._turn = self._part = 0
         self._parts = (self._draw_belt, self._draw_counts, self._draw_belt, self._draw_last, self._draw_histogram)

@@ -21,7 +21,7 @@ from fruitgui.gui.drawn import (
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import THIN, measured_text, number_text, percent_text
 from fruitgui.gui.steps.live.tally import Histogram, KindSum, Tally
-from fruitgui.gui.theme.kinds import KindMark, kind_marks
+from fruitgui.gui.theme.kinds import KindMark, Looks, kind_marks
 from fruitgui.gui.widgets.histogram import Bars
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.live.state import Finished, LiveState, Opinion, Pictured, Preview, TrackNow
@@ -35,6 +35,7 @@ ML_PER_L = 1e3
 class Marks:
     """The marks of all kinds seen, in the order of the model's kinds; new ones are added as they come."""
 
+    looks: Looks = kind_marks
     kinds: list[str] = field(default_factory=list)
     _marks: dict[str, KindMark] = field(default_factory=dict)
 
@@ -43,7 +44,7 @@ class Marks:
         if kind not in self._marks:
             if kind != UNKNOWN and kind not in self.kinds:
                 self.kinds.append(kind)
-            self._marks = kind_marks(self.kinds)
+            self._marks = self.looks(self.kinds)
         return self._marks[kind]
 
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.steps.lots.report import write_report
 from fruitgui.gui.tasks import Job, TaskRunner
+from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.lot import Lot
 from fruitgui.records.lot_csv import write_lot
@@ -30,21 +31,21 @@ class HandingOn(QObject):
         self._folder = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
         self.dialog: QFileDialog | None = None
 
-    def ask_report(self, lot: Lot, kinds: Sequence[str]) -> None:
-        """Ask where the report is to go; kinds are marked in this order."""
+    def ask_report(self, lot: Lot, marks: Sequence[KindMark]) -> None:
+        """Ask where the report is to go; kinds have these marks."""
         self._ask(
-            self.tr("Save the report"), self.tr("Report (*.pdf)"), lot, "pdf", partial(self.write_report, kinds=kinds)
+            self.tr("Save the report"), self.tr("Report (*.pdf)"), lot, "pdf", partial(self.write_report, marks=marks)
         )
 
     def ask_table(self, lot: Lot) -> None:
         """Ask where the table is to go."""
         self._ask(self.tr("Save the table of fruit"), self.tr("Table (*.csv)"), lot, "csv", self.write_table)
 
-    def write_report(self, lot: Lot, path: Path, kinds: Sequence[str] = ()) -> None:
+    def write_report(self, lot: Lot, path: Path, marks: Sequence[KindMark] = ()) -> None:
         """Write the report."""
 
         def job(progress: Progress, cancelled: Cancelled) -> None:
-            write_report(self._store, lot.key, path, time.time(), kinds, progress, cancelled)
+            write_report(self._store, lot.key, path, time.time(), marks, progress, cancelled)
 
         self._run(self.tr("Report on lot {name}").format(name=lot.name), job, path)
 

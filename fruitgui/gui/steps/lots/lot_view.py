@@ -13,7 +13,7 @@ from fruitgui.gui.steps.lots.lot_entry import LotState, state_of, state_word
 from fruitgui.gui.steps.lots.lot_list import STATE_LOOKS
 from fruitgui.gui.steps.lots.summary import Summary
 from fruitgui.gui.theme import icons
-from fruitgui.gui.theme.kinds import kind_marks
+from fruitgui.gui.theme.kinds import Looks, kind_marks
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label
@@ -29,9 +29,10 @@ class LotView(QWidget):
 
     turned = Signal()
 
-    def __init__(self, theme: Theme, desk: Desk, parent: QWidget | None = None) -> None:
+    def __init__(self, theme: Theme, desk: Desk, looks: Looks = kind_marks, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
+        self._looks = looks
         self._read: ReadLot | None = None
         self._state = LotState.ENDED
         self.name, self.about, self.state, self._icon = label("", "page"), label("", "dim"), label("", "dim"), QLabel()
@@ -58,7 +59,7 @@ class LotView(QWidget):
         other = self.lot != read.figures.lot.key
         self._read = read
         self._state = state_of(read.figures.lot, running)
-        marks = kind_marks(read.kinds)
+        marks = self._looks(read.kinds)
         self.fruit.show_kinds(read.kinds, marks)
         self.summary.show_figures(read.figures, marks)
         if other:

@@ -41,7 +41,7 @@ class LotsPage(StepPage):
         self._in_view = False
         self._line_lot: int | None = None
         self.desk = Desk(session.store, self)
-        self.lots, self.lot = LotList(theme), LotView(theme, self.desk)
+        self.lots, self.lot = LotList(theme), LotView(theme, self.desk, session.looks)
         self._empty, self._stack = EmptyPlace(theme, "lots"), QStackedWidget()
         self.handing_on = HandingOn(session.store, session.tasks, session.messages, self)
         self.store_menu = StoreMenu(
@@ -240,7 +240,8 @@ class LotsPage(StepPage):
 
     def _hand_on_report(self) -> None:
         if self.lot.read is not None:
-            self.handing_on.ask_report(self.lot.read.figures.lot, self.lot.read.kinds)
+            marks = self._session.looks(self.lot.read.kinds)
+            self.handing_on.ask_report(self.lot.read.figures.lot, tuple(marks.values()))
 
     def _hand_on_table(self) -> None:
         if self.lot.read is not None:

@@ -9,7 +9,7 @@ import numpy as np
 from PySide6.QtCore import QCoreApplication, QRectF, Qt
 
 from fruitgui.files import written_whole
-from fruitgui.gui.kind_words import kind_name, kinds_in_order
+from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import THIN, count_text, number_text
 from fruitgui.gui.steps.lots.figures import model_name, of_text, spans
 from fruitgui.gui.steps.lots.sheet import BODY, BODY_DIM, DIM, LINE, SECTION, SMALL, STRONG, TITLE, Sheet
@@ -38,10 +38,10 @@ MOST_LISTED = 60
 
 
 def write_report(
-    store: Store, lot: int, path: Path, now_s: float, kinds: Sequence[str] = (),
+    store: Store, lot: int, path: Path, now_s: float, marks: Sequence[KindMark] = (),
     progress: Progress = no_progress, cancelled: Cancelled = never_cancelled,
 ) -> None:  # fmt: skip
-    """Write the report on a lot as it is now, whole or not at all; kinds are marked in the order given.
+    """Write the report on a lot as it is now, whole or not at all; kinds keep the marks that they have.
 
     Raises:
         InputError: there is no such lot.
@@ -52,7 +52,7 @@ def write_report(
     report = report_lot(store, lot, now_s)
     unknown = store.fruit.find(FruitQuery(lot, kind=UNKNOWN, count=0)).found
     corrected = store.fruit.find(FruitQuery(lot, which="corrected", count=MOST_LISTED)).fruit
-    marks = kind_marks(kinds_in_order(kinds, [one.kind for one in report.kinds]))
+    looks = kind_marks([one.kind for one in report.kinds], marks)
     stop_if(cancelled)
     progress(0.7, path.name)
     with written_whole(path) as beside:
@@ -60,8 +60,8 @@ def write_report(
         sheet = Sheet(beside, title, translate("LotReport", "Page {page}"))
         try:
             _write_head(sheet, report)
-            _write_sums(sheet, report, marks)
-            _write_spreads(sheet, report, marks)
+            _write_sums(sheet, report, looks)
+            _write_spreads(sheet, report, looks)
             _write_corrections(sheet, report, unknown, corrected)
             _write_method(sheet, report)
         finally:

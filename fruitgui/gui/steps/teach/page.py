@@ -14,6 +14,7 @@ from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.steps.teach.classroom import Classroom
+from fruitgui.gui.steps.teach.densities import DensitiesDialog
 from fruitgui.gui.steps.teach.desk import Pile, Shelf
 from fruitgui.gui.steps.teach.fruit_model import FruitModel
 from fruitgui.gui.steps.teach.grid import FruitGrid
@@ -21,6 +22,7 @@ from fruitgui.gui.steps.teach.kind_keys import KindKeys
 from fruitgui.gui.steps.teach.shelves import Shelves
 from fruitgui.gui.steps.teach.side_panel import SidePanel
 from fruitgui.gui.steps.teach.tile import Tiles
+from fruitgui.gui.theme.kinds import UNKNOWN
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.view_pictures import ViewPictures, view_pictures
@@ -39,7 +41,7 @@ class TeachPage(StepPage):
         super().__init__(parent)
         self._session = session
         self.room = Classroom(session, self)
-        self._tiles = Tiles(self.room.desk)
+        self._tiles = Tiles(self.room.desk, session.looks)
         self._seen = Queries(self)
         self._panel_key: int | None = None
         self._shelf = Shelf()
@@ -47,7 +49,8 @@ class TeachPage(StepPage):
         self._make_actions()
         self.model = FruitModel(session.store.crops, self._tiles.described, self)
         self.kinds, self.grid = KindKeys(theme), FruitGrid(self.model, self._tiles, theme)
-        tools = (self.undo, self.redo, self.see_depth, self.clear, self.remove, self.take_labels, self.give_labels)
+        tools = (self.undo, self.redo, self.see_depth, self.clear, self.remove, self.weigh, self.take_labels,
+                 self.give_labels)  # fmt: skip
         self.shelves = Shelves(theme, tools)
         self.shelves.addActions(tools)
         self.panel, self.empty = SidePanel(theme), EmptyPlace(theme, "teach")
@@ -82,6 +85,7 @@ class TeachPage(StepPage):
         self.undo, self.redo, self.clear = self._action("undo"), self._action("redo"), self._action("close")
         self.remove, self.see_depth = self._action("delete"), self._action("layers")
         self.take_labels, self.give_labels = self._action("import"), self._action("export")
+        self.weigh = self._action("scale")
         self.see_depth.setCheckable(True)
 
     def _action(self, icon: str) -> QAction:
@@ -131,6 +135,8 @@ class TeachPage(StepPage):
         self.redo.triggered.connect(room.redo)
         self.clear.triggered.connect(self._clear)
         self.remove.triggered.connect(self._ask_to_remove)
+        self.weigh.triggered.connect(self._ask_densities)
+        session.kinds.changed.connect(self._show_chosen)
         self.see_depth.toggled.connect(self.grid.show_depth)
         self.take_labels.triggered.connect(self._ask_for_labels)
         self.give_labels.triggered.connect(self._ask_where_to_export)
@@ -174,6 +180,7 @@ class TeachPage(StepPage):
             (self.see_depth, self.tr("Show depth"), "", "D"),
             (self.clear, self.tr("Let it wait: no kind"), "", "Backspace"),
             (self.remove, self.tr("Remove for good"), "", "Del"),
+            (self.weigh, self.tr("Density of each kind"), "", "Ctrl+D"),
             (self.take_labels, self.tr("Read a labels file"), "", "Ctrl+Shift+O"),
             (self.give_labels, self.tr("Write a labels file"), "", "Ctrl+Shift+S"),
         ):  # fmt: skip
@@ -231,7 +238,7 @@ class TeachPage(StepPage):
             self.panel.show_nothing()
         else:
             one = desk.fruit[key]
-            self.panel.show_fruit(one, self._tiles.tile(key), desk.densities().get(one.kind or ""), len(chosen))
+            self.panel.show_fruit(one, self._tiles.tile(key), self._densities().get(one.kind or ""), len(chosen))
             if key != self._panel_key:
                 self._panel_key = key
                 self._seen.ask("fruit", partial(_look, self._session, key), self._show_views)
@@ -257,6 +264,7 @@ class TeachPage(StepPage):
         self.suggest.setEnabled(room.desk.can_look_through and not room.looking)
         self.undo.setEnabled(room.can_undo)
         self.redo.setEnabled(room.can_redo)
+        self.weigh.setEnabled(bool(room.desk.order))
         self.take_labels.setEnabled(bool(room.desk.fruit))
         self.give_labels.setEnabled(any(one.kind is not None for one in room.desk.fruit.values()))
         if room.in_lesson:
@@ -348,6 +356,20 @@ class TeachPage(StepPage):
         box.setDefaultButton(keep)
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         box.open()
+
+    def _densities(self) -> dict[str, float]:
+        """Return the density of each kind, g/ml: typed, else by its reference fruit."""
+        return {**self.room.desk.densities(), **self._session.kinds.densities_g_ml}
+
+    def _ask_densities(self) -> None:
+        lines = [line for line in self.room.desk.lines() if line.kind != UNKNOWN]
+        dialog = DensitiesDialog(lines, self._tiles.marks, self._session.kinds.densities_g_ml, self)
+        dialog.accepted.connect(partial(self._type_densities, dialog))
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.open()
+
+    def _type_densities(self, dialog: DensitiesDialog) -> None:
+        self._session.kinds.type_densities(dialog.typed)
 
     def _ask_for_recording(self) -> None:
         kinds = self.tr("Recordings (*.mcap *.bag);;All files (*)")

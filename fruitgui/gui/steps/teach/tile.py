@@ -10,7 +10,7 @@ from PySide6.QtCore import QCoreApplication
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import percent_text
 from fruitgui.gui.steps.teach.desk import Desk
-from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark, kind_marks
+from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark, Looks, kind_marks
 from fruitgui.records.insight import Guess
 from fruitgui.records.teaching import Brief
 
@@ -48,8 +48,9 @@ class TileSource(Protocol):
 class Tiles:
     """Says what a tile shows, by what lies on the desk."""
 
-    def __init__(self, desk: Desk) -> None:
+    def __init__(self, desk: Desk, looks: Looks = kind_marks) -> None:
         self._desk = desk
+        self._looks = looks
         self._order: tuple[str, ...] = ()
         self._marks: dict[str, KindMark] = kind_marks(())
 
@@ -58,7 +59,7 @@ class Tiles:
         """The marks of all kinds, in the order of their keys."""
         if self._order != self._desk.order:
             self._order = self._desk.order
-            self._marks = kind_marks(self._order)
+            self._marks = self._looks(self._order)
         return self._marks
 
     def tile(self, key: int) -> Tile:

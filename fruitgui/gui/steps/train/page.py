@@ -15,7 +15,7 @@ from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.steps.train.result_panel import ResultPanel
 from fruitgui.gui.steps.train.start_panel import StartPanel
 from fruitgui.gui.steps.train.trainer import Trainer
-from fruitgui.gui.theme.kinds import KindMark, kind_marks
+from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace
@@ -99,7 +99,7 @@ class TrainPage(StepPage):
 
     def _marks(self) -> dict[str, KindMark]:
         taught = self._session.taught
-        return kind_marks(kinds_in_order(self._session.marks.kinds, () if taught is None else taught.kinds))
+        return self._session.looks(kinds_in_order(self._session.marks.kinds, () if taught is None else taught.kinds))
 
     def _show(self) -> None:
         taught, trained = self._session.taught, self.trainer.trained
