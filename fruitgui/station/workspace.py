@@ -47,8 +47,7 @@ class Workspace:
 
     Attributes:
         folder: where everything lies.
-        settings, connection, station, projectors, marks, depths: its small files.
-        settings, connection, station, projectors, marks, kinds: its small files.
+        settings, connection, station, projectors, marks, depths, kinds: its small files.
         records_path, pictures_path: the databases, which the records room makes.
     """
 
