@@ -13,6 +13,7 @@ from fruitgui.measurement.fruit import Quantity
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 from fruitgui.records.fruit_record import FruitRecord
 from fruitgui.records.fruit_search import FruitQuery
+from fruitgui.records.lot import Lot
 from fruitgui.records.store import Store
 from fruitgui.station.report import G_PER_KG, ML_PER_M3, MM_PER_M
 
@@ -20,11 +21,11 @@ HEADER = (
     "lot", "number", "kind", "machine_kind", "kind_probability", "counted",
     "volume_ml", "volume_std_ml", "mass_g", "mass_std_g", "length_mm", "length_std_mm",
     "diameter_mm", "diameter_std_mm", "perimeter_mm", "perimeter_std_mm",
-    "views", "coverage", "outlet", "counted_at_utc", "first_seen_s", "last_seen_s",
+    "views", "coverage", "recipe", "size_band", "outlet", "counted_at_utc", "first_seen_s", "last_seen_s",
 )  # fmt: skip
 """`kind` is what holds, `machine_kind` what the machine said (empty where a person added the fruit); `counted` is 1 or
-0 (left out by a person); what was not measured is empty; `_std_` is one standard deviation; `first_seen_s` and
-`last_seen_s` are in the reference sensor's clock."""
+0 (left out by a person); what was not measured is empty; `_std_` is one standard deviation; `size_band` and
+`outlet` are empty where a lot sorts nothing; `first_seen_s` and `last_seen_s` are in the reference sensor's clock."""
 
 TOLD_EVERY = 2_000
 
@@ -39,14 +40,14 @@ def write_lot(
         WorldError: it cannot be read or written.
         CancelledByUserError: a person stopped it; no file is left.
     """
-    name = store.lots.get(lot).name
+    of = store.lots.get(lot)
     found = sum(store.fruit.find(FruitQuery(lot, which=which, count=0)).found for which in ("counted", "left_out"))
     written = 0
     with written_whole(path) as beside, beside.open("w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out)
         writer.writerow(HEADER)
         for fruit in store.fruit.walk(lot):
-            writer.writerow(_row(name, fruit))
+            writer.writerow(_row(of, fruit))
             written += 1
             if written % TOLD_EVERY == 0:
                 stop_if(cancelled)
@@ -54,12 +55,12 @@ def write_lot(
     return written
 
 
-def _row(lot: str, fruit: FruitRecord) -> Iterable[object]:
+def _row(lot: Lot, fruit: FruitRecord) -> Iterable[object]:
     return (
-        lot, fruit.number, fruit.kind, fruit.machine_kind, _digits(fruit.kind_probability, 1), int(fruit.counted),
+        lot.name, fruit.number, fruit.kind, fruit.machine_kind, _digits(fruit.kind_probability, 1), int(fruit.counted),
         *_quantity(fruit.volume_m3, ML_PER_M3), *_quantity(fruit.mass_kg, G_PER_KG),
         *_quantity(fruit.length_m, MM_PER_M), *_quantity(fruit.diameter_m, MM_PER_M),
-        *_quantity(fruit.perimeter_m, MM_PER_M), fruit.views, _digits(fruit.coverage, 1), fruit.outlet,
+        *_quantity(fruit.perimeter_m, MM_PER_M), fruit.views, _digits(fruit.coverage, 1), lot.recipe, "", fruit.outlet,
         datetime.fromtimestamp(fruit.counted_s, UTC).isoformat(timespec="milliseconds"),
         fruit.first_seen_s, fruit.last_seen_s,
     )  # fmt: skip

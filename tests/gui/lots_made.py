@@ -38,7 +38,9 @@ def crops(number: int) -> tuple[Crop, ...]:
     depth_mm[disc] -= 60
     angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
     outline = (SIDE // 2 + SIDE // 3 * np.column_stack([np.cos(angle), np.sin(angle)])).astype(np.float32)
-    cuts = tuple(Cut(sensor, 0.0, 10, 20, color, depth_mm, outline, 1.0) for sensor in ("kinect_1", "kinect_2"))
+    cuts = tuple(
+        Cut(sensor, 0.0, (10, 20, 30, 30), 10, 20, color, depth_mm, outline, 1.0) for sensor in ("kinect_1", "kinect_2")
+    )
     return coded(cuts)
 
 

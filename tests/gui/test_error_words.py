@@ -59,7 +59,7 @@ def _codes(node: ast.expr, module: object) -> list[str]:
 
 
 def _given(call: ast.Call) -> frozenset[str]:
-    names = {"file"} if any(one.arg == "file" for one in call.keywords) else set()
+    names = {"file", "path"} if any(one.arg == "file" for one in call.keywords) else set()
     for one in call.keywords:
         if one.arg == "values" and isinstance(one.value, ast.Dict):
             names |= {str(key.value) for key in one.value.keys if isinstance(key, ast.Constant)}
@@ -87,7 +87,7 @@ def _sites() -> Iterator[Site]:
                     continue
                 codes = _codes(call.args[0], importlib.import_module(name))
                 yield from (Site(code, f"{name}:{call.lineno}", _given(call)) for code in codes if code != STOPPED)
-    yield from (Site(code, "fruitgui.records.told", frozenset({"file"})) for code in _SAID)
+    yield from (Site(code, "fruitgui.records.told", frozenset({"file", "path"})) for code in _SAID)
 
 
 SITES = tuple(_sites())
@@ -149,6 +149,7 @@ def test_what_an_error_names_is_said() -> None:
     assert said.what.startswith("labels.csv cannot be used")
     assert "line 3" in said.what
     assert "/far" not in said.what
+    assert "/far/away/labels.csv" in told(InputError("cannot_read", "…", "…", file=Path("/far/away/labels.csv"))).what
 
 
 @pytest.mark.parametrize(

@@ -219,6 +219,31 @@ def test_several_fruit_are_left_out_at_once_and_put_back(qtbot: QtBot, page: Lot
     assert run_session.store.lots.totals(LOT)[0].fruit == MANY // 4
 
 
+def test_a_fruit_that_was_missed_is_added_and_taken_back(
+    qtbot: QtBot, page: LotsPage, run_session: Session, tmp_path: Path
+) -> None:
+    _at_fruit(qtbot, page)
+    panel = page.lot.fruit
+    read = page.lot.read
+    assert read is not None
+    kind = read.kinds[1]
+    before = {one.kind: one.fruit for one in run_session.store.lots.totals(LOT)}
+    panel.hand._missed.actions()[1].trigger()
+    qtbot.waitUntil(lambda: panel.table.model.rowCount() == MANY + 1)
+    after = {one.kind: one.fruit for one in run_session.store.lots.totals(LOT)}
+    assert after == {**before, kind: before[kind] + 1}
+    (added,) = run_session.store.fruit.find(FruitQuery(LOT, which="corrected")).fruit
+    assert (added.machine_kind, added.kind, added.number) == (None, kind, MANY + 1)
+    page.handing_on.write_table(run_session.store.lots.get(LOT), tmp_path / "a.csv")
+    qtbot.waitUntil(lambda: not run_session.tasks.running)
+    assert len((tmp_path / "a.csv").read_text(encoding="utf-8").splitlines()) == MANY + 2
+    undo = next(one for one in reversed(run_session.messages.history) if one.what.startswith("1 fruit added")).act
+    assert undo is not None
+    undo()
+    qtbot.waitUntil(lambda: panel.table.model.rowCount() == MANY)
+    assert {one.kind: one.fruit for one in run_session.store.lots.totals(LOT)} == before
+
+
 def test_going_through_the_unknown_names_one_after_the_other(
     qtbot: QtBot, page: LotsPage, run_session: Session
 ) -> None:

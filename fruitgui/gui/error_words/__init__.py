@@ -34,12 +34,12 @@ def told(error: FruitguiError) -> Told:
     said = words().get(error.code)
     if said is None:
         return Told(error.what, error.remedy)
-    names = {**error.values, **({} if error.file is None else {"file": Path(error.file).name})}
+    place = {} if error.file is None else {"file": Path(error.file).name, "path": error.file}
     try:
-        what, remedy = (text.format(**names) for text in said)
+        what, remedy = (text.format(**error.values, **place) for text in said)
     except KeyError:
         return Told(error.what, error.remedy)
     if error.where is not None:
-        place = QCoreApplication.translate("Errors", "{what} The place: {where}.")
-        what = place.format(what=what, where=error.where)
+        where = QCoreApplication.translate("Errors", "{what} The place: {where}.")
+        what = where.format(what=what, where=error.where)
     return Told(what, remedy)

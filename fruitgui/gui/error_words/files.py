@@ -33,7 +33,7 @@ def words() -> Mapping[str, tuple[str, str]]:
             translate("Errors", "Calibrate again, or take the last good one."),
         ),
         "cannot_read": (
-            translate("Errors", "{file} cannot be read."),
+            translate("Errors", "{path} cannot be read."),
             translate("Errors", "Check that it is still there and may be read."),
         ),
         "cannot_restore": (
@@ -44,7 +44,7 @@ def words() -> Mapping[str, tuple[str, str]]:
             ),
         ),
         "cannot_write": (
-            translate("Errors", "{file} cannot be written."),
+            translate("Errors", "{path} cannot be written."),
             translate("Errors", "Check that its folder exists, may be written to, and has room."),
         ),
         "disk_full": (

@@ -48,8 +48,12 @@
         <translation>Calibre de nuevo, o use la última buena.</translation>
     </message>
     <message>
-        <source>{file} cannot be read.</source>
-        <translation>No se puede leer {file}.</translation>
+        <source>{path} cannot be read.</source>
+        <translation>No se puede leer {path}.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be written.</source>
+        <translation>No se puede escribir {path}.</translation>
     </message>
     <message>
         <source>Check that it is still there and may be read.</source>
@@ -62,10 +66,6 @@
     <message>
         <source>Check that the folder {file} may be written to, and start the program again: the restore goes on.</source>
         <translation>Revise que se pueda escribir en la carpeta {file} e inicie el programa de nuevo: la restauración sigue.</translation>
-    </message>
-    <message>
-        <source>{file} cannot be written.</source>
-        <translation>No se puede escribir {file}.</translation>
     </message>
     <message>
         <source>Check that its folder exists, may be written to, and has room.</source>

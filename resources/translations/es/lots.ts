@@ -133,6 +133,14 @@
         <translation>Anotar algo sobre la fruta elegida (N)</translation>
     </message>
     <message>
+        <source>Missed one …</source>
+        <translation>Faltó una …</translation>
+    </message>
+    <message>
+        <source>Add a fruit that passed and was not counted; it has no measures (Ins)</source>
+        <translation>Agregar una fruta que pasó y no se contó; no tiene medidas (Ins)</translation>
+    </message>
+    <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
     </message>
@@ -688,6 +696,10 @@
     <message>
         <source>{count} fruit named {kind}.</source>
         <translation>{count} frutas pasaron a {kind}.</translation>
+    </message>
+    <message>
+        <source>1 fruit added: {kind}.</source>
+        <translation>1 fruta agregada: {kind}.</translation>
     </message>
     <message>
         <source>1 fruit left out.</source>

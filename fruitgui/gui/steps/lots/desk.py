@@ -128,8 +128,7 @@ class Desk(QObject):
 
     def say(self, word: Word, fruit: Sequence[FruitRecord]) -> None:
         """Correct fruit; they are given as they are before."""
-        back = undoing(word, fruit)
-        self.queries.change(lambda: word.say(self._store), lambda _: self._said(word, back))
+        self.queries.change(lambda: word.say(self._store), lambda said: self._said(said, undoing(said, fruit)))
 
     def undo(self) -> None:
         """Take the last correction back."""

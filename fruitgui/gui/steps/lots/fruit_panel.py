@@ -159,6 +159,9 @@ class FruitPanel(Card):
         self.hand.show_chosen(len(chosen), kind, counted, self._desk.can_undo)
 
     def _say(self, deed: Deed, kind: str, note: str) -> None:
+        if deed is Deed.ADD:
+            self._desk.say(Word(deed, (), kind, note, self.table.wanted.lot), ())
+            return
         chosen = self._chosen()
         if chosen:
             self._desk.say(Word(deed, tuple(one.key for one in chosen), kind, note), chosen)

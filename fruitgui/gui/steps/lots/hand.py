@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from PySide6.QtCore import QCoreApplication
@@ -24,6 +24,7 @@ class Deed(StrEnum):
     NAME = "name"
     LEAVE_OUT = "leave_out"
     PUT_BACK = "put_back"
+    ADD = "add"
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,26 +32,31 @@ class Word:
     """One thing said of some fruit.
 
     Attributes:
-        deed: what. fruit: keys. kind: for `NAME`. note: in a person's words.
+        deed: what. fruit: keys. kind: for `NAME` and `ADD`. note: in a person's words.
+        lot: key of the lot that a fruit is added to.
     """
 
     deed: Deed
     fruit: tuple[int, ...]
     kind: str = ""
     note: str = ""
+    lot: int | None = None
 
-    def say(self, store: Store) -> None:
-        """Keep it.
+    def say(self, store: Store) -> Word:
+        """Keep it; return it with the fruit of which it was said: one that was added has a key only now.
 
         Raises:
             InputError, WorldError: see `Corrections.name`.
         """
+        if self.deed is Deed.ADD and self.lot is not None:
+            return replace(self, fruit=(store.corrections.add(self.lot, self.kind, note=self.note),))
         if self.deed is Deed.NAME:
             store.corrections.name(self.fruit, self.kind, note=self.note)
         elif self.deed is Deed.LEAVE_OUT:
             store.corrections.leave_out(self.fruit, note=self.note)
         else:
             store.corrections.put_back(self.fruit, note=self.note)
+        return self
 
     @property
     def text(self) -> str:
@@ -60,6 +66,8 @@ class Word:
             text = (
                 translate("Lots", "1 fruit named {kind}.") if one else translate("Lots", "{count} fruit named {kind}.")
             )
+        elif self.deed is Deed.ADD:
+            text = translate("Lots", "1 fruit added: {kind}.")
         elif self.deed is Deed.LEAVE_OUT:
             text = translate("Lots", "1 fruit left out.") if one else translate("Lots", "{count} fruit left out.")
         else:
@@ -71,9 +79,11 @@ def undoing(word: Word, fruit: Sequence[FruitRecord]) -> list[Word]:
     """Return what takes a word back; what people said stays in the history, the newest holds.
 
     Args:
-        word: that is to be said.
-        fruit: as they are before it.
+        word: that was said.
+        fruit: as they were before it.
     """
+    if word.deed is Deed.ADD:
+        return [Word(Deed.LEAVE_OUT, word.fruit)]
     if word.deed is Deed.LEAVE_OUT:
         keys = tuple(one.key for one in fruit if one.counted)
         return [Word(Deed.PUT_BACK, keys)] if keys else []

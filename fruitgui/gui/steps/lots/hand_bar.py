@@ -42,7 +42,8 @@ class HandBar(QWidget):
         self._marks: Mapping[str, KindMark] = {}
         self._kind, self._counted, self._dialog = "", True, QInputDialog(self)
         self.name, self.leave, self.note, self.undo = QPushButton(), QPushButton(), QPushButton(), QPushButton()
-        self._menu = QMenu(self)
+        self.add = QPushButton()
+        self._menu, self._missed = QMenu(self), QMenu(self)
         self._lay_out()
         self._connect(within)
         self._say_words()
@@ -76,14 +77,17 @@ class HandBar(QWidget):
         for button in (self.name, self.leave, self.note):
             row.addWidget(button)
         row.addStretch()
+        row.addWidget(self.add)
         row.addWidget(self.undo)
         self.name.setMenu(self._menu)
+        self.add.setMenu(self._missed)
 
     def _connect(self, within: QWidget) -> None:
         self.leave.clicked.connect(self._leave)
         self.note.clicked.connect(self._ask_note)
         self.undo.clicked.connect(self.undo_wanted)
         self._menu.triggered.connect(self._chosen)
+        self._missed.triggered.connect(self._add)
         self._theme.changed.connect(self._draw)
         self._dialog.setInputMode(QInputDialog.InputMode.TextInput)
         self._dialog.textValueSelected.connect(self._typed)
@@ -94,6 +98,7 @@ class HandBar(QWidget):
             key.activated.connect(self._pressed)
         for text, act in (
             ("0", self._name_unknown), ("Del", self._leave), ("N", self._ask_note), ("K", self.name.showMenu),
+            ("Ins", self.add.showMenu),
             ("Ctrl+Z", self._undo),
         ):  # fmt: skip
             QShortcut(QKeySequence(text), within, context=context).activated.connect(act)
@@ -107,6 +112,10 @@ class HandBar(QWidget):
                 else (self.tr("Put back"), self.tr("Count the chosen fruit after all (Delete)"))
             ),
             self.note: (self.tr("Note …"), self.tr("Write something on the chosen fruit (N)")),
+            self.add: (
+                self.tr("Missed one …"),
+                self.tr("Add a fruit that passed and was not counted; it has no measures (Ins)"),
+            ),
             self.undo: (self.tr("Undo"), self.tr("Take the last correction back (Ctrl+Z)")),
         }
         for button, (text, tip) in texts.items():
@@ -118,32 +127,36 @@ class HandBar(QWidget):
         colour, dim = self._theme.colour("text"), self._theme.colour("line")
         for button, icon in (
             (self.name, "edit"), (self.leave, "remove" if self._counted else "add"), (self.note, "report"),
-            (self.undo, "undo"),
+            (self.add, "add"), (self.undo, "undo"),
         ):  # fmt: skip
             button.setIcon(icons.icon(icon, colour, dim))
             button.setIconSize(QSize(20, 20))
 
     def _fill(self) -> None:
-        self._menu.clear()
-        for number, kind in enumerate(self._kinds):
-            key = str(number + 1) if number < MOST_KEYS else ""
-            self._offer(f"{key}\u2002{kind_name(kind)}", kind)
-        self._offer(f"0\u2002{kind_name(UNKNOWN)}", UNKNOWN)
+        for menu in (self._menu, self._missed):
+            menu.clear()
+            for number, kind in enumerate(self._kinds):
+                key = str(number + 1) if number < MOST_KEYS and menu is self._menu else ""
+                self._offer(menu, f"{key}\u2002{kind_name(kind)}", kind)
+            self._offer(menu, f"{'0' if menu is self._menu else ''}\u2002{kind_name(UNKNOWN)}", UNKNOWN)
         self._menu.addSeparator()
-        self._offer(self.tr("Another kind …"), "")
+        self._offer(self._menu, self.tr("Another kind …"), "")
 
-    def _offer(self, text: str, kind: str) -> None:
-        action = QAction(text.strip(), self._menu)
+    def _offer(self, menu: QMenu, text: str, kind: str) -> None:
+        action = QAction(text.strip(), menu)
         action.setData(kind)
         if kind:
             action.setIcon(QIcon(mark_pixmap(self._marks.get(kind, UNKNOWN_MARK), 40)))
-        self._menu.addAction(action)
+        menu.addAction(action)
 
     def _chosen(self, action: QAction) -> None:
         if action.data():
             self._name(str(action.data()))
         else:
             self._ask(self.tr("Another kind"), self.tr("What the chosen fruit are:"), Deed.NAME, LONGEST_KIND)
+
+    def _add(self, action: QAction) -> None:
+        self.said.emit(Deed.ADD, str(action.data()), "")
 
     def _pressed(self) -> None:
         key = self.sender()
