@@ -14,6 +14,7 @@ from PySide6.QtCore import QCoreApplication
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui.error_words import files, learning, sensors, store
+from fruitgui.gui.steps.connect.driver_words import fault_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +27,7 @@ class Told:
 
 def words() -> Mapping[str, tuple[str, str]]:
     """Return what is said by code: what happened, and what to do; names in braces are filled in."""
-    return {**files.words(), **store.words(), **learning.words(), **sensors.words()}
+    return {**files.words(), **store.words(), **learning.words(), **sensors.words(), **fault_words()}
 
 
 def told(error: FruitguiError) -> Told:

@@ -65,4 +65,16 @@ def words() -> Mapping[str, tuple[str, str]]:
             translate("Errors", "{file} is not a text file."),
             translate("Errors", "Save it as UTF-8, or choose the right file."),
         ),
+        "unfinished_recording": (
+            translate("Errors", "{file} is there: a recording that was cut off, or one that is being made right now."),
+            translate("Errors", "Let it end, or save what is in it first, or delete it."),
+        ),
+        "parts_there": (
+            translate("Errors", "{file} is there already, where a part of this recording would go."),
+            translate("Errors", "Give the recording another name, or move that file away."),
+        ),
+        "too_many_parts": (
+            translate("Errors", "The recording {file} has too many parts."),
+            translate("Errors", "Let its parts be larger."),
+        ),
     }

@@ -164,46 +164,4 @@ def words() -> Mapping[str, tuple[str, str]]:
             translate("Errors", "USB cannot be used on this computer."),
             translate("Errors", "Check that it is switched on."),
         ),
-        "sensor_gone": (
-            translate("Errors", "The sensor is not plugged in."),
-            translate("Errors", "Check its USB cable and its power supply; it starts by itself when it returns."),
-        ),
-        "sensor_not_allowed": (
-            translate("Errors", "A sensor is plugged in, but this user may not open it."),
-            translate("Errors", "Install the USB rules (step 1), then unplug it and plug it in again."),
-        ),
-        "sensor_not_obeyed": (
-            translate("Errors", "The sensor does not do what it is told."),
-            translate(
-                "Errors",
-                "Unplug its USB cable and its power supply, wait five seconds, and plug both in again.",
-            ),
-        ),
-        "usb_full": (
-            translate("Errors", "The USB controller of this sensor has no room left for its pictures."),
-            translate("Errors", "Plug it into a socket of another USB controller."),
-        ),
-        "sensor_hangs": (
-            translate("Errors", "The sensor does not answer."),
-            translate(
-                "Errors",
-                "Unplug its USB cable and its power supply, wait five seconds, and plug both in again.",
-            ),
-        ),
-        "sensor_twice": (
-            translate("Errors", "Two sensors have one serial: they cannot be told apart."),
-            translate("Errors", "Leave only one of them plugged in."),
-        ),
-        "sensor_busy": (
-            translate("Errors", "The sensor is used by another program."),
-            translate("Errors", "Close the other program; checking the USB (step 1) tells which it is."),
-        ),
-        "no_libfreenect": (
-            translate("Errors", "Kinects need the library libfreenect 0.5, and it is not installed."),
-            translate("Errors", "Install it: sudo apt-get install libfreenect0.5"),
-        ),
-        "no_libusb": (
-            translate("Errors", "Kinects need the library libusb 1.0, and it is not installed."),
-            translate("Errors", "Install it: sudo apt-get install libusb-1.0-0"),
-        ),
     }

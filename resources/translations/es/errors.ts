@@ -56,6 +56,30 @@
         <translation>No se puede escribir {path}.</translation>
     </message>
     <message>
+        <source>{file} is there: a recording that was cut off, or one that is being made right now.</source>
+        <translation>{file} ya está: una grabación que se cortó, o una que se está haciendo ahora.</translation>
+    </message>
+    <message>
+        <source>Let it end, or save what is in it first, or delete it.</source>
+        <translation>Deje que termine, o rescate primero lo que tiene, o bórrela.</translation>
+    </message>
+    <message>
+        <source>{file} is there already, where a part of this recording would go.</source>
+        <translation>{file} ya está donde iría una parte de esta grabación.</translation>
+    </message>
+    <message>
+        <source>Give the recording another name, or move that file away.</source>
+        <translation>Dé otro nombre a la grabación, o mueva ese archivo.</translation>
+    </message>
+    <message>
+        <source>The recording {file} has too many parts.</source>
+        <translation>La grabación {file} tiene demasiadas partes.</translation>
+    </message>
+    <message>
+        <source>Let its parts be larger.</source>
+        <translation>Haga las partes más grandes.</translation>
+    </message>
+    <message>
         <source>Check that it is still there and may be read.</source>
         <translation>Revise que siga ahí y que se pueda leer.</translation>
     </message>
@@ -374,74 +398,6 @@
     <message>
         <source>Check that it is switched on.</source>
         <translation>Revise que esté activado.</translation>
-    </message>
-    <message>
-        <source>The sensor is not plugged in.</source>
-        <translation>El sensor no está enchufado.</translation>
-    </message>
-    <message>
-        <source>Check its USB cable and its power supply; it starts by itself when it returns.</source>
-        <translation>Revise su cable USB y su fuente de corriente; arranca solo cuando vuelve.</translation>
-    </message>
-    <message>
-        <source>A sensor is plugged in, but this user may not open it.</source>
-        <translation>Hay un sensor enchufado, pero este usuario no puede abrirlo.</translation>
-    </message>
-    <message>
-        <source>Install the USB rules (step 1), then unplug it and plug it in again.</source>
-        <translation>Instale las reglas de USB (paso 1); luego desenchúfelo y enchúfelo de nuevo.</translation>
-    </message>
-    <message>
-        <source>The sensor does not do what it is told.</source>
-        <translation>El sensor no hace lo que se le pide.</translation>
-    </message>
-    <message>
-        <source>Unplug its USB cable and its power supply, wait five seconds, and plug both in again.</source>
-        <translation>Desenchufe su cable USB y su fuente, espere cinco segundos y enchufe ambos de nuevo.</translation>
-    </message>
-    <message>
-        <source>The USB controller of this sensor has no room left for its pictures.</source>
-        <translation>El controlador USB de este sensor no tiene más lugar para sus imágenes.</translation>
-    </message>
-    <message>
-        <source>Plug it into a socket of another USB controller.</source>
-        <translation>Enchúfelo en una toma de otro controlador USB.</translation>
-    </message>
-    <message>
-        <source>The sensor does not answer.</source>
-        <translation>El sensor no responde.</translation>
-    </message>
-    <message>
-        <source>Two sensors have one serial: they cannot be told apart.</source>
-        <translation>Dos sensores tienen el mismo número de serie: no se pueden distinguir.</translation>
-    </message>
-    <message>
-        <source>Leave only one of them plugged in.</source>
-        <translation>Deje enchufado solo uno de ellos.</translation>
-    </message>
-    <message>
-        <source>The sensor is used by another program.</source>
-        <translation>Otro programa usa el sensor.</translation>
-    </message>
-    <message>
-        <source>Close the other program; checking the USB (step 1) tells which it is.</source>
-        <translation>Cierre el otro programa; la revisión de USB (paso 1) dice cuál es.</translation>
-    </message>
-    <message>
-        <source>Kinects need the library libfreenect 0.5, and it is not installed.</source>
-        <translation>Los Kinect necesitan la biblioteca libfreenect 0.5, y no está instalada.</translation>
-    </message>
-    <message>
-        <source>Install it: sudo apt-get install libfreenect0.5</source>
-        <translation>Instálela: sudo apt-get install libfreenect0.5</translation>
-    </message>
-    <message>
-        <source>Kinects need the library libusb 1.0, and it is not installed.</source>
-        <translation>Los Kinect necesitan la biblioteca libusb 1.0, y no está instalada.</translation>
-    </message>
-    <message>
-        <source>Install it: sudo apt-get install libusb-1.0-0</source>
-        <translation>Instálela: sudo apt-get install libusb-1.0-0</translation>
     </message>
     <message>
         <source>{sensor} gives no pictures.</source>
