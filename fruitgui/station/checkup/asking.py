@@ -16,6 +16,13 @@ ANSWER_S = 10.0
 """After so long a driver that has said nothing hangs."""
 
 
+PATIENCE_S = 5.0
+"""So long a driver may look before what it found so far is taken."""
+
+WHOLE_S = 0.4
+"""A driver whose bus is slow says after a while what it found before; what it says sooner is all there is."""
+
+
 @dataclass(frozen=True, slots=True)
 class Answer:
     """What a driver said.
@@ -69,4 +76,14 @@ def _answer(driver: Driver) -> Answer:
     error = driver.problem()
     if error is not None:
         return Answer(driver.make, unusable=problem_of(error))
-    return Answer(driver.make, tuple((device, driver.sensor(device.serial)) for device in driver.devices()))
+    devices = _all_devices(driver)
+    return Answer(driver.make, tuple((device, driver.sensor(device.serial)) for device in devices))
+
+
+def _all_devices(driver: Driver) -> Sequence[PluggedDevice]:
+    until_s = time.monotonic() + PATIENCE_S
+    while True:
+        asked_s = time.monotonic()
+        devices = driver.devices()
+        if time.monotonic() - asked_s < WHOLE_S or time.monotonic() > until_s:
+            return devices

@@ -79,7 +79,7 @@ class MadeDriver:
         self.make = make
         self.sensors = {device.serial: RunningSensor(device.serial) for device in devices}
         self.missing: WorldError | None = None
-        self.asked = 0
+        self.asked = self.slow_looks = 0
         self._devices = list(devices)
         self._before = before
 
@@ -89,6 +89,10 @@ class MadeDriver:
         return self.missing
 
     def devices(self) -> Sequence[PluggedDevice]:
+        if self.slow_looks:
+            self.slow_looks -= 1
+            time.sleep(0.5)
+            return []
         return self._devices
 
     def sensor(self, serial: str) -> Sensor:

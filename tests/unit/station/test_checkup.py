@@ -343,6 +343,12 @@ def test_a_driver_that_does_not_answer_is_left_behind_and_the_others_are_asked(t
     ]
 
 
+def test_a_driver_whose_bus_is_slow_is_asked_until_it_has_looked(tmp_path: Path) -> None:
+    driver = kinects("A1")
+    driver.slow_looks = 2
+    assert [one.serial for one in look(tmp_path, driver).sensors] == ["A1"]
+
+
 def test_a_driver_with_a_bug_is_said_and_the_others_are_asked(tmp_path: Path) -> None:
     def bug() -> None:
         raise KeyError("bug")
