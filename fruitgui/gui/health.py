@@ -11,10 +11,12 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer
 
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.recorder_words import clock_time
 from fruitgui.gui.session import Session
 from fruitgui.gui.top_bar import Pill, TopBar
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.live.state import LiveState, LiveWarning
+from fruitgui.station.record_state import RecordPlan, RecordState
 
 log = logging.getLogger(__name__)
 
@@ -41,6 +43,7 @@ class HealthWatch(QObject):
         self._timer.timeout.connect(self.look)
         session.running.ticked.connect(self._warn)
         session.running.changed.connect(self.look)
+        session.recorder.changed.connect(self.look)
         session.connected.changed.connect(self.look)
 
     def start(self) -> None:
@@ -54,6 +57,9 @@ class HealthWatch(QObject):
         pills = [sensors_pill(self._session.connected.health)] if self._session.connected.health else []
         if running.running and running.state is not None:
             pills.append(line_pill(running.state))
+        recorder = self._session.recorder
+        if recorder.plan is not None:
+            pills.append(recording_pill(recorder.plan, recorder.state))
         free_gb = shutil.disk_usage(self._session.workspace.folder).free / BYTES_PER_GB
         pills.append(disk_pill(free_gb, self._session.settings.least_free_mb / 1000.0))
         self._bar.show_pills(tuple(pills))
@@ -173,6 +179,14 @@ def line_pill(state: LiveState) -> Pill:
         "Health", "From a picture to what is drawn: {latency}. Waiting: {backlog} pictures. Left out: {dropped}."
     ).format(latency=text, backlog=state.backlog, dropped=dropped)
     return Pill("line", "clock", text, "warn" if slow or dropped else "good", tip)
+
+
+def recording_pill(plan: RecordPlan, state: RecordState | None) -> Pill:
+    """Return how far a recording is."""
+    seconds = 0.0 if state is None else state.seconds
+    troubled = state is not None and (bool(state.silent) or any(state.lost.values()))
+    tip = QCoreApplication.translate("Health", "Recording {name}: see Connect.").format(name=plan.out.stem)
+    return Pill("recording", "record", clock_time(seconds), "warn" if troubled else "good", tip)
 
 
 def disk_pill(free_gb: float, least_gb: float) -> Pill:

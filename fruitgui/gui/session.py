@@ -14,6 +14,7 @@ from fruitgui.gui.connected import Connected
 from fruitgui.gui.kind_book import KindBook
 from fruitgui.gui.lot_words import LotWords, lot_words
 from fruitgui.gui.messages import Messages
+from fruitgui.gui.recorder import Recorder
 from fruitgui.gui.running import LinePlan, Running
 from fruitgui.gui.source_runner import SourceRunner
 from fruitgui.gui.tasks import TaskRunner
@@ -29,6 +30,7 @@ from fruitgui.station.kept_file import Damage, Kept, KeptFile
 from fruitgui.station.kinds_file import KindNotes
 from fruitgui.station.model import Model
 from fruitgui.station.projectors import Projectors
+from fruitgui.station.recordings_made import FOLDER as RECORDINGS
 from fruitgui.station.settings import Settings
 from fruitgui.station.sources import Sources, is_finite
 from fruitgui.station.station import Station
@@ -50,6 +52,7 @@ class Session(QObject):
         messages, tasks: the window's one voice, and its one runner of long jobs.
         connected: the sensors that run now.
         source: opens what they come from.
+        recorder: records them.
         store: lots, fruit and what was taught.
         running: the line and its lot.
         kinds: what each kind looks like and weighs.
@@ -79,6 +82,7 @@ class Session(QObject):
         self.connected = Connected(self)
         self.source = SourceRunner(sources or Sources(), self.connected, self.tasks, self.messages, self)
         self.store = open_store(workspace.folder)
+        self.recorder = Recorder(workspace.folder / RECORDINGS, self.connected, self.messages, self)
         self.running = Running(self.store, self.connected, self.tasks, self.messages, self)
         self.damages: list[Damage] = []
         self._lots = self.store.lots.find(LotQuery(count=0)).found
@@ -144,7 +148,7 @@ class Session(QObject):
 
     def close(self) -> bool:
         """End whatever runs, and let go of the files; an open lot stays open. Tell whether all ended in time."""
-        ended = [self.running.close(), self.tasks.close(), not self.connected.stop()]
+        ended = [self.running.close(), self.recorder.close(), self.tasks.close(), not self.connected.stop()]
         self.store.close()
         return all(ended)
 

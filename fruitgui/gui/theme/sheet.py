@@ -88,6 +88,7 @@ QHeaderView { background: transparent; border: 0; }
 QHeaderView::section { background: transparent; color: $text_dim; border: 0; border-bottom: 1px solid $line;
     padding: 8px; font-size: ${small}px; }
 QTableView::item, QTreeView::item, QListView::item { padding: 6px; border: 0; }
+QListWidget::item:selected { background: $raised; border: 1px solid $accent; border-radius: ${radius}px; }
 QTableView::item:focus, QListView::item:focus, QTreeView::item:focus { border: 2px solid $accent; }
 QScrollBar:vertical { background: transparent; width: 14px; }
 QScrollBar:horizontal { background: transparent; height: 14px; }

@@ -9,6 +9,7 @@ from pathlib import Path
 from fruitgui.errors import InputError
 from fruitgui.sensors.recordings.container import open_container
 from fruitgui.sensors.recordings.mcap_file import McapFile
+from fruitgui.sensors.recordings.part_file import unfinished
 from fruitgui.sensors.recordings.raw import MalformedError
 from fruitgui.sensors.recordings.records import METADATA, Fields
 
@@ -67,7 +68,10 @@ def _said(container: McapFile) -> Part | None:
 
 
 def parts_after(path: Path) -> tuple[Path, ...]:
-    """Return the files that go on where a part ends, in order; none where it is the last, or whole in itself."""
+    """Return the files that go on where a part ends, in order; none where it is the last, or whole in itself.
+
+    The last of them may be unfinished: what is in it is used up to there.
+    """
     part = part_of(path)
     return () if part is None else tuple(_following(_first(path, part.number), part))
 
@@ -80,7 +84,8 @@ def _first(path: Path, number: int) -> Path:
 
 def _following(first: Path, part: Part) -> Iterator[Path]:
     for number in range(part.number + 1, MOST_PARTS + 1):
-        path = part_path(first, number)
-        if part_of(path) != Part(part.recording, number):
+        whole = part_path(first, number)
+        path = next((one for one in (whole, unfinished(whole)) if part_of(one) == Part(part.recording, number)), None)
+        if path is None:
             return
         yield path

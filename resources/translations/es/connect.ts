@@ -565,6 +565,10 @@
         <translation>La línea está funcionando. Los sensores se pueden cambiar cuando termine su lote.</translation>
     </message>
     <message>
+        <source>The sensors are being recorded. They can be changed when the recording has ended.</source>
+        <translation>Los sensores se están grabando. Se pueden cambiar cuando termine la grabación.</translation>
+    </message>
+    <message>
         <source>{running} of {count} sensors run. Look after the others, or leave them out.</source>
         <translation>Funcionan {running} de {count} sensores. Revise los demás, o déjelos fuera.</translation>
     </message>
@@ -700,10 +704,90 @@
     </message>
 </context>
 <context>
+    <name>MadeList</name>
+    <message>
+        <source>{count} parts</source>
+        <translation>{count} partes</translation>
+    </message>
+    <message>
+        <source>cut off, usable up to there</source>
+        <translation>interrumpida, se puede usar hasta ahí</translation>
+    </message>
+    <message>
+        <source>Recorded here</source>
+        <translation>Grabadas aquí</translation>
+    </message>
+</context>
+<context>
     <name>ProblemCard</name>
     <message>
         <source>This computer</source>
         <translation>Este computador</translation>
+    </message>
+</context>
+<context>
+    <name>RecordCard</name>
+    <message>
+        <source>Recording {name}</source>
+        <translation>Grabando {name}</translation>
+    </message>
+    <message>
+        <source>{time} of {length}</source>
+        <translation>{time} de {length}</translation>
+    </message>
+    <message>
+        <source>Waiting for the first picture</source>
+        <translation>Esperando la primera imagen</translation>
+    </message>
+    <message>
+        <source>No pictures from {sensors}; the others go on.</source>
+        <translation>Sin imágenes de {sensors}; los demás siguen.</translation>
+    </message>
+    <message>
+        <source>Stop and keep</source>
+        <translation>Parar y guardar</translation>
+    </message>
+    <message>
+        <source>End the recording; what was recorded is kept</source>
+        <translation>Terminar la grabación; lo grabado se guarda</translation>
+    </message>
+</context>
+<context>
+    <name>RecordDesk</name>
+    <message>
+        <source>Record…</source>
+        <translation>Grabar…</translation>
+    </message>
+    <message>
+        <source>Record what these sensors see</source>
+        <translation>Grabar lo que ven estos sensores</translation>
+    </message>
+</context>
+<context>
+    <name>RecordDialog</name>
+    <message>
+        <source>Until I stop it</source>
+        <translation>Hasta que la pare</translation>
+    </message>
+    <message>
+        <source>{size} of the disk may be used. The recording will be in {folder}.</source>
+        <translation>Se pueden usar {size} del disco. La grabación quedará en {folder}.</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Grabar</translation>
+    </message>
+    <message>
+        <source>Record the sensors</source>
+        <translation>Grabar los sensores</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Duración</translation>
     </message>
 </context>
 <context>

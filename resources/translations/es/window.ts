@@ -118,6 +118,10 @@
         <translation>De la imagen a lo dibujado: {latency}. En espera: {backlog} imágenes. Omitidas: {dropped}.</translation>
     </message>
     <message>
+        <source>Recording {name}: see Connect.</source>
+        <translation>Grabando {name}: véase Conectar.</translation>
+    </message>
+    <message>
         <source>Free on the disk: {free} GB.</source>
         <translation>Libre en el disco: {free} GB.</translation>
     </message>
@@ -160,6 +164,57 @@
     <message>
         <source>Manual</source>
         <translation>Manual</translation>
+    </message>
+</context>
+<context>
+    <name>Recorder</name>
+    <message>
+        <source>The folder {folder} cannot be made.</source>
+        <translation>No se puede crear la carpeta {folder}.</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>Mostrar la carpeta</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded: the sensors had given nothing yet.</source>
+        <translation>No se grabó nada: los sensores aún no habían dado nada.</translation>
+    </message>
+    <message>
+        <source>{name} is recorded: {lasted}, {size}.</source>
+        <translation>{name} está grabada: {lasted}, {size}.</translation>
+    </message>
+    <message>
+        <source>It was ended because the disk is nearly full.</source>
+        <translation>Se terminó porque el disco está casi lleno.</translation>
+    </message>
+    <message>
+        <source>It was ended because no sensor gives pictures any more.</source>
+        <translation>Se terminó porque ningún sensor da ya imágenes.</translation>
+    </message>
+    <message>
+        <source>{count} pictures were lost: this computer, or its disk, is too slow.</source>
+        <translation>Se perdieron {count} imágenes: este computador, o su disco, es demasiado lento.</translation>
+    </message>
+    <message>
+        <source>Without pictures for a while: {sensors}.</source>
+        <translation>Sin imágenes durante un rato: {sensors}.</translation>
+    </message>
+    <message>
+        <source>{frames} pictures, {size}</source>
+        <translation>{frames} imágenes, {size}</translation>
+    </message>
+    <message>
+        <source>{size} free</source>
+        <translation>{size} libres</translation>
+    </message>
+    <message>
+        <source>{size} free, enough for {time}</source>
+        <translation>{size} libres, para {time}</translation>
     </message>
 </context>
 <context>

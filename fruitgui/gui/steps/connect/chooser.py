@@ -22,6 +22,7 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.widgets.cards import label
+from fruitgui.station.recordings_made import MadeRecording
 from fruitgui.station.sources import Source
 
 ROW = 84
@@ -138,6 +139,10 @@ class SourceChooser(QWidget):
         row.setChecked(True)
         self._choose()
         self.form.take_file(path)
+
+    def show_made(self, made: Sequence[MadeRecording]) -> None:
+        """List the recordings that were made here."""
+        self.form.show_made(made)
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""

@@ -14,6 +14,7 @@ from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
 from fruitgui.gui.steps.connect.chooser import SourceChooser
 from fruitgui.gui.steps.connect.details import SensorDetails
 from fruitgui.gui.steps.connect.presenter import SensorView, plan_of, sensor_views, summary
+from fruitgui.gui.steps.connect.record_desk import RecordDesk
 from fruitgui.gui.steps.connect.tiles import SensorTiles
 from fruitgui.gui.steps.connect.turn_card import TurnCard
 from fruitgui.gui.steps.page import StepPage
@@ -44,6 +45,7 @@ class ConnectPage(StepPage):
         self._in_view = False
         self.chooser, self.tiles = SourceChooser(theme), SensorTiles(theme)
         self.details, self.turns = SensorDetails(theme), TurnCard(theme)
+        self.recording = RecordDesk(session, theme, self)
         self._stack = QStackedWidget()
         self._look = QTimer(self, interval=LOOK_MS)
         self.connect_action, self.calibrate_action = QAction(self), QAction(self)
@@ -78,8 +80,9 @@ class ConnectPage(StepPage):
         column = QVBoxLayout(side)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
-        for card in (self.details, self.turns):
+        for card in (self.recording.card, self.details, self.turns):
             card.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+        column.addWidget(self.recording.card)
         column.addWidget(self.details)
         column.addWidget(self.turns)
         column.addStretch()
@@ -109,6 +112,7 @@ class ConnectPage(StepPage):
         session.source.changed.connect(self._show)
         session.running.changed.connect(self._show)
         session.source.opened.connect(self._opened)
+        self.recording.follow(self._show)
         self.chooser.changed.connect(self._show_actions)
         self.chooser.file_wanted.connect(self._ask_for_file)
         self.tiles.chosen.connect(self._choose)
@@ -156,8 +160,10 @@ class ConnectPage(StepPage):
 
     def _show(self) -> None:
         choosing = self._choosing or self._session.connection is None
-        if choosing and not self.chooser.rows:
-            self.chooser.show_found(self._session.source.sources.found())
+        if choosing:
+            if not self.chooser.rows:
+                self.chooser.show_found(self._session.source.sources.found())
+            self.chooser.show_made(self.recording.made())
         self._stack.setCurrentIndex(0 if choosing else 1)
         self.tiles.run(self._in_view and not choosing)
         (self._look.start if self._in_view and choosing else self._look.stop)()
@@ -174,7 +180,7 @@ class ConnectPage(StepPage):
         self.tiles.show_views(views, self._chosen)
         chosen = next(view for view in views if view.name == self._chosen)
         others = tuple(name for name in names if name != self._chosen)
-        self.details.show_view(chosen, others, fixed=self._session.running.running)
+        self.details.show_view(chosen, others, fixed=self._session.running.running or self.recording.recording)
         plan = plan_of(feed, self._session.station, self._session.settlings)
         self.turns.show_plan(plan, () if feed is None else feed.sensors)
 
@@ -189,8 +195,10 @@ class ConnectPage(StepPage):
             return
         running, count = summary(self.views())
         self.calibrate_action.setEnabled(running == count)
-        self.change_action.setEnabled(not opening and not self._session.running.running)
-        self.offer(self.calibrate_action, self.check_action, self.change_action)
+        free = not opening and not self.recording.recording
+        self.change_action.setEnabled(free and not self._session.running.running)
+        self.recording.action.setEnabled(free and running > 0)
+        self.offer(self.calibrate_action, self.check_action, self.change_action, self.recording.action)
         self.say(self._sensors_hint(running, count))
 
     def _chooser_hint(self) -> str:
@@ -203,6 +211,8 @@ class ConnectPage(StepPage):
             return self.tr("The sensors are being started.")
         if self._session.running.running:
             return self.tr("The line runs. Sensors can be changed when its lot has ended.")
+        if self.recording.recording:
+            return self.tr("The sensors are being recorded. They can be changed when the recording has ended.")
         if running < count:
             text = self.tr("{running} of {count} sensors run. Look after the others, or leave them out.")
             return text.format(running=running, count=count)
@@ -217,6 +227,7 @@ class ConnectPage(StepPage):
     def _look_for_devices(self) -> None:
         found = self._session.source.sources.found()
         self.chooser.update_found(found)
+        self.chooser.show_made(self.recording.made())
 
     def _ask_for_file(self) -> None:
         path, _ = QFileDialog.getOpenFileName(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
@@ -22,6 +23,7 @@ from fruitgui.sensors.feed import Running
 from fruitgui.sensors.usb.machine import Machine
 from fruitgui.sensors.usb.udev import rules_file
 from fruitgui.station.checkup.records import Checkup
+from fruitgui.station.record_state import RecordState
 from fruitgui.station.sources import Sources
 from fruitgui.station.workflow import Step
 
@@ -100,6 +102,60 @@ def _checked(stage: Stage, found: Callable[[], Checkup]) -> Iterator[CheckupDial
         stage.settle()
 
 
+@contextmanager
+def _asked_what_to_record(stage: Stage) -> Iterator[QWidget]:
+    with setting_up(stage, Step.CONNECT, simulated_rig("opposed")) as on:
+        on.connect()
+        recording = _page(on).recording
+        recording.action.trigger()
+        dialog = recording.dialog
+        assert dialog is not None  # noqa: S101 - it was just asked for
+        dialog.name.setText("oranges_morning")
+        dialog.show_room(212_000_000_000, "/data/line_2/recordings")
+        try:
+            yield dialog
+        finally:
+            dialog.reject()
+
+
+@contextmanager
+def _recording(stage: Stage, silent: bool) -> Iterator[QWidget]:
+    rig = simulated_rig("opposed")
+    with setting_up(stage, Step.CONNECT, rig) as on:
+        on.connect()
+        on.session.recorder.start("oranges_morning", 300.0)
+        card = _page(on).recording.card
+        plan = on.session.recorder.plan
+        assert plan is not None  # noqa: S101 - it was just begun
+        state = RecordState(
+            seconds=74.0, share=74.0 / 300.0, frames={"kinect_1": 2219, "kinect_2": 1804 if silent else 2218},
+            lost={}, silent=("kinect_2",) if silent else (), bytes_written=711_000_000, parts=1,
+            room_bytes=212_000_000_000, room_s=6.1 * 3600.0,
+        )  # fmt: skip
+        on.session.recorder.ticked.disconnect()
+        card.show_recording(plan, state, stopping=False)
+        yield on.window
+
+
+@contextmanager
+def _recorded(stage: Stage) -> Iterator[QWidget]:
+    with setting_up(stage, Step.CONNECT, simulated_rig("opposed")) as on:
+        folder = on.session.recorder.folder
+        folder.mkdir()
+        for name, made_s, size in (
+            ("oranges_morning.mcap", 1.7e9, 711_000_000), ("lemons.mcap", 1.6999e9, 4_000_000_000),
+            ("lemons_0002.mcap", 1.69991e9, 1_200_000_000), ("power_cut.mcap.part", 1.699e9, 84_000_000),
+        ):  # fmt: skip
+            (folder / name).touch()
+            os.truncate(folder / name, size)  # takes no room on the disk
+            os.utime(folder / name, (made_s, made_s))
+        chooser = _page(on).chooser
+        chooser.show_found(Sources().found())
+        _page(on).entered()
+        chooser.take_file(folder / "oranges_morning.mcap")
+        yield on.window
+
+
 SCENES: tuple[Scene, ...] = (
     Scene("connect-nothing", partial(_nothing, chosen=SIMULATED)),
     Scene("connect-recording", partial(_nothing, chosen="recording")),
@@ -107,6 +163,10 @@ SCENES: tuple[Scene, ...] = (
     Scene("connect-two", partial(_running, layout="opposed", sensors=2)),
     Scene("connect-eight", partial(_running, layout="chain", sensors=8)),
     Scene("connect-silent", _silent),
+    Scene("connect-record", _asked_what_to_record),
+    Scene("connect-recording-now", partial(_recording, silent=False)),
+    Scene("connect-recording-trouble", partial(_recording, silent=True)),
+    Scene("connect-recorded", _recorded),
     Scene("connect-checkup-nothing", partial(_checkup, found=checkups.nothing)),
     Scene("connect-checkup-good", partial(_checkup, found=checkups.all_well)),
     Scene("connect-checkup-wrong", partial(_checkup, found=checkups.much_wrong)),

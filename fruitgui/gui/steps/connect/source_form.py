@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushButton, QWidget
 
+from fruitgui.gui.steps.connect.made_list import MadeList
 from fruitgui.gui.steps.connect.offers import (
     DEVICES,
     RECORDING,
@@ -22,6 +24,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.stepper import Stepper
+from fruitgui.station.recordings_made import MadeRecording
 from fruitgui.station.sources import RecordedSource, Source
 
 MOST_RIGS = 999
@@ -47,6 +50,7 @@ class SourceForm(Card):
         self.preset = QComboBox()
         self.rig, self.speed = Stepper(theme), Stepper(theme, 2, "m/s")
         self.file, self.again = QPushButton(), QCheckBox()
+        self.made = MadeList()
         self._what, self._file_name = label("", "dim"), label("", "strong")
         self._form = QFormLayout()
         self._labels = {part: QLabel() for part in ("preset", "rig", "speed")}
@@ -80,12 +84,24 @@ class SourceForm(Card):
             self._form.setRowVisible(field, shown)
         for one in (self.file, self._file_name, self.again):
             one.setVisible(recorded)
+        self._show_list()
 
     def take_file(self, path: Path) -> None:
         """Take a recording's file."""
         self._path = path
+        self.made.choose_path(path)
         self._say_words()
         self.changed.emit()
+
+    def show_made(self, made: Sequence[MadeRecording]) -> None:
+        """List the recordings that were made here."""
+        self.made.show_made(made)
+        self._show_list()
+
+    def _show_list(self) -> None:
+        shown = self._offer is not None and self._offer.key == RECORDING and self.made.list.count() > 0
+        self.made.setVisible(shown)
+        self.body.setStretch(self.body.count() - 1, 0 if shown else 1)
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
@@ -109,11 +125,13 @@ class SourceForm(Card):
         self.body.addLayout(self._form)
         for one in (self.file, self._file_name, self.again):
             self.body.addWidget(one)
+        self.body.addWidget(self.made, 1)
         self.body.addStretch()
 
     def _connect(self) -> None:
         self.file.clicked.connect(self.file_wanted)
         self.again.toggled.connect(self.changed)
+        self.made.chosen.connect(self.take_file)
         self.preset.currentIndexChanged.connect(self._take_preset)
         self.rig.changed.connect(self.changed)
         self.speed.changed.connect(self.changed)
@@ -159,10 +177,14 @@ class SourceForm(Card):
         self.file.setShortcut("Ctrl+O")
         self.file.setToolTip(self.tr("Choose the file of a recording (Ctrl+O)"))
         self.again.setText(self.tr("Begin again at the end"))
-        self._file_name.setText(self.tr("No file is chosen yet.") if self._path is None else str(self._path))
+        self._file_name.setText(self.tr("No file is chosen yet.") if self._path is None else self._name_of(self._path))
         if key == SIMULATED:
             for number in range(self.preset.count()):
                 self.preset.setItemText(number, preset_name(self.preset.itemData(number)))
+
+    def _name_of(self, path: Path) -> str:
+        """Return what a file is called: one that was recorded here needs no folder."""
+        return path.name if self.made.lists(path) else str(path)
 
     def _explanation(self, key: str) -> str:
         if key == RECORDING:
