@@ -82,13 +82,8 @@ class Recorder(QObject):
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            self._messages.error(
-                WorldError(
-                    "cannot_write",
-                    self.tr("The folder {folder} cannot be made.").format(folder=self.folder),
-                    str(error.strerror),
-                )
-            )
+            what = f"The folder {self.folder} cannot be made: {error.strerror}."
+            self._messages.error(WorldError("cannot_write", what, "Free this name.", file=self.folder))
             return
         plan = RecordPlan(recording_path(self.folder, name), seconds, Split(most_bytes=MOST_PART_BYTES))
         self._plan, self._newest = plan, None

@@ -69,6 +69,10 @@ def words() -> Mapping[str, tuple[str, str]]:
             translate("Errors", "{file} is there: a recording that was cut off, or one that is being made right now."),
             translate("Errors", "Let it end, or save what is in it first, or delete it."),
         ),
+        "recording_not_finished": (
+            translate("Errors", "The recording cannot be finished: the disk is full, or gone."),
+            translate("Errors", "What was recorded is in {file}: find it among the recordings of step 1."),
+        ),
         "parts_there": (
             translate("Errors", "{file} is there already, where a part of this recording would go."),
             translate("Errors", "Give the recording another name, or move that file away."),

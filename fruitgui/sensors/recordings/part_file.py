@@ -80,7 +80,7 @@ def cannot_finish(path: Path, error: OSError) -> WorldError:
     """Return why a recording does not get its name, and where it lies."""
     beside = unfinished(path)
     return WorldError(
-        "cannot_write",
+        "recording_not_finished",
         f"{path} cannot be finished: {error.strerror}.",
         f"What was recorded is in {beside.name}: fruitgui record --recover {beside.name} --out OTHER.mcap saves it.",
         file=beside,

@@ -64,6 +64,14 @@
         <translation>Deje que termine, o rescate primero lo que tiene, o bórrela.</translation>
     </message>
     <message>
+        <source>The recording cannot be finished: the disk is full, or gone.</source>
+        <translation>No se puede terminar la grabación: el disco está lleno, o ya no está.</translation>
+    </message>
+    <message>
+        <source>What was recorded is in {file}: find it among the recordings of step 1.</source>
+        <translation>Lo grabado está en {file}: búsquelo en Grabación, paso 1.</translation>
+    </message>
+    <message>
         <source>{file} is there already, where a part of this recording would go.</source>
         <translation>{file} ya está donde iría una parte de esta grabación.</translation>
     </message>

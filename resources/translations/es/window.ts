@@ -169,10 +169,6 @@
 <context>
     <name>Recorder</name>
     <message>
-        <source>The folder {folder} cannot be made.</source>
-        <translation>No se puede crear la carpeta {folder}.</translation>
-    </message>
-    <message>
         <source>Recording</source>
         <translation>Grabación</translation>
     </message>

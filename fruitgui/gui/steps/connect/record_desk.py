@@ -86,4 +86,4 @@ class RecordDesk(QObject):
         self.action.setText(self.tr("Record…"))
         self.action.setToolTip(self.tr("Record what these sensors see"))
         self.action.setProperty("drawing", "record")
-        self.action.setShortcut("Ctrl+R")
+        self.action.setShortcut("Ctrl+Shift+R")
