@@ -14,6 +14,7 @@ from fruitgui.classification.evidence import UNKNOWN
 from fruitgui.errors import FruitguiError, InputError, WorldError
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Messages
+from fruitgui.gui.numbers import count_text
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.progress import Cancelled, Progress
@@ -112,6 +113,14 @@ class Begun:
     totals: tuple[KindTotal, ...]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class EndedLot:
+    """A lot that was ended, and how many fruit count in it."""
+
+    lot: Lot
+    fruit: int
+
+
 class Running(QObject):
     """Starts, pauses and ends lots; whatever takes long is done by a task.
 
@@ -182,6 +191,8 @@ class Running(QObject):
     def find_open_lot(self) -> None:
         """Look for a lot that was left open when the program ended; it can be taken up."""
         self.lot = self._store.lots.open_lot()
+        if self.lot is not None:
+            self.tally = Tally.of(self._store.lots.totals(self.lot.key))
         self.changed.emit()
 
     def pause(self) -> None:
@@ -201,15 +212,19 @@ class Running(QObject):
         self._keep(lambda: self._store.lots.resume(lot.key))
 
     def end_lot(self) -> None:
-        """Stop the line, count what is in view, and end the lot."""
+        """Stop the line, count what is in view, and end the lot; one that was left open ends as it is."""
         line, lot = self._line, self.lot
-        if line is None or lot is None:
+        if lot is None:
             return
 
-        def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - it ends within seconds
-            progress(0.0, QCoreApplication.translate("Running", "Counting the fruit still in view"))
-            line.stop()
-            return self._store.lots.end(lot.key)
+        def job(progress: Progress, cancelled: Cancelled) -> EndedLot:  # noqa: ARG001 - it ends within seconds
+            if line is None:
+                ended = self._store.lots.end_left_open(lot.key)
+            else:
+                progress(0.0, QCoreApplication.translate("Running", "Counting the fruit still in view"))
+                line.stop()
+                ended = self._store.lots.end(lot.key)
+            return EndedLot(ended, sum(one.fruit for one in self._store.lots.totals(lot.key)))
 
         self._run(QCoreApplication.translate("Running", "Ending the lot"), job, self._ended)
 
@@ -258,13 +273,13 @@ class Running(QObject):
         self._look()
         self.changed.emit()
 
-    def _ended(self, lot: Lot) -> None:
+    def _ended(self, ended: EndedLot) -> None:
         self._look()
         self._line, self.lot = None, None
         self._tick.stop()
         self._messages.good(
             QCoreApplication.translate("Running", "Lot {name} is ended with {count} fruit.").format(
-                name=lot.name, count=self.tally.count_all
+                name=ended.lot.name, count=count_text(ended.fruit)
             )
         )
         self.changed.emit()

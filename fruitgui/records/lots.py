@@ -95,11 +95,16 @@ class Lots:
         """Go on with a lot that a crash left open: the time since its last fruit becomes a pause."""
         with self._database.writing() as session:
             row = _still_open(session, lot)
-            pause = _open_pause(session, lot)
-            if pause is None:
-                pause = PauseRow(lot_id=lot, from_s=_last_sign_s(session, row), why=NOT_RUNNING)
-                session.add(pause)
+            pause = _standstill(session, row)
             pause.to_s = max(self._now_s(), pause.from_s)
+            return lot_of(session, row)
+
+    def end_left_open(self, lot: int) -> Lot:
+        """End a lot on which no line runs any more: the time since its last fruit is a pause, not part of its run."""
+        with self._database.writing() as session:
+            row = _still_open(session, lot)
+            pause = _standstill(session, row)
+            row.ended_s = pause.to_s = max(self._now_s(), pause.from_s)
             return lot_of(session, row)
 
     def end(self, lot: int) -> Lot:
@@ -154,6 +159,15 @@ def _still_open(session: Session, lot: int) -> LotRow:
 
 def _open_pause(session: Session, lot: int) -> PauseRow | None:
     return session.scalar(select(PauseRow).where(PauseRow.lot_id == lot, PauseRow.to_s.is_(None)))
+
+
+def _standstill(session: Session, lot: LotRow) -> PauseRow:
+    """Return the pause in which a lot stands that no line counts into, from its last fruit on."""
+    pause = _open_pause(session, lot.id)
+    if pause is None:
+        pause = PauseRow(lot_id=lot.id, from_s=_last_sign_s(session, lot), why=NOT_RUNNING)
+        session.add(pause)
+    return pause
 
 
 def _last_sign_s(session: Session, lot: LotRow) -> float:

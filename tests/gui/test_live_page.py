@@ -11,10 +11,12 @@ from fruitgui.gui.session import Session
 from fruitgui.gui.steps.live.lot_dialog import LotDialog
 from fruitgui.gui.steps.live.page import LivePage
 from fruitgui.gui.theme.theme import Theme
+from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.station.live import Phase
 from fruitgui.station.workflow import State, Step
 from tests.gui.line_recording import FRUIT, LineRecording, record_line
+from tests.unit.station.fruit_made import made_fruit
 
 LONG_MS = 120_000
 
@@ -102,6 +104,25 @@ def test_a_paused_lot_lets_fruit_pass_uncounted(qtbot: QtBot, session: Session, 
     assert state is not None
     assert session.running.tally.count_all + state.totals.passed == FRUIT
     assert state.totals.passed > 0
+
+
+def test_a_lot_that_was_left_open_is_ended_without_its_sensors(qtbot: QtBot, session: Session, theme: Theme) -> None:
+    lot = session.store.lots.start(LotPlan("1184"))
+    for number in (1, 2, 3):
+        session.store.commit(lot.key, made_fruit(number, "lemon"), ())
+    session.running.find_open_lot()
+    page = LivePage(session, theme)
+    qtbot.addWidget(page)
+    assert session.connected.feed is None
+    assert session.running.tally.count_all == 3, "what was counted is shown"
+    assert page.end in page.other_actions
+    page.end.trigger()
+    qtbot.waitUntil(lambda: session.running.lot is None, timeout=LONG_MS)
+    assert "1184 is ended with 3 fruit" in session.messages.history[-1].what
+    ended = session.store.lots.get(lot.key)
+    assert ended.ended_s is not None
+    assert ended.ran_s(ended.ended_s) < ended.ended_s - ended.started_s, "it stood still since its last fruit"
+    assert page.main_action is page.start
 
 
 def test_a_lot_that_was_left_open_is_taken_up_again(

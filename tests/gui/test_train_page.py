@@ -105,7 +105,7 @@ def test_one_press_trains_and_nothing_changes_before_it_is_accepted(
     assert page.result.densities.count() == 4, "two kinds and their densities"
     assert taught.station is not None
     assert taught.station.model is None
-    assert list((taught.workspace.folder / MODELS).iterdir()) == []
+    assert taught.workspace.models() == []
 
 
 def test_accepting_takes_the_model_into_use_and_the_steps_follow(
@@ -129,6 +129,40 @@ def test_accepting_takes_the_model_into_use_and_the_steps_follow(
     assert page.main_action is page.go_on
     _teach_wrong(taught)
     assert [why.code for why in taught.states()[Step.TRAIN].remarks] == ["taught_since"]
+    assert page.main_action is page.train
+
+
+def test_a_model_that_was_not_accepted_is_offered_again_after_closing(
+    qtbot: QtBot, taught: Session, page: TrainPage, theme: Theme
+) -> None:
+    _train(qtbot, page)
+    again = TrainPage(taught, theme)
+    qtbot.addWidget(again)
+    again.show()
+    _rest(qtbot, again)
+    assert again.trainer.waiting is not None
+    assert again.start.waiting.isVisible()
+    assert "%" in again.start.waiting.text()
+    assert again.main_action is again.accept
+    _accept(qtbot, again)
+    assert again.trainer.waiting is None
+    assert taught.station is not None
+    assert taught.station.model == "models/model-0001.fruit"
+    assert taught.workspace.model(taught.station).value is not None
+    assert taught.states()[Step.TRAIN].state is State.DONE
+    assert [path.name for path in (taught.workspace.folder / MODELS).iterdir()] == ["model-0001.fruit"]
+
+
+def test_a_waiting_model_that_cannot_be_read_is_not_offered(qtbot: QtBot, taught: Session, theme: Theme) -> None:
+    folder = taught.workspace.folder / MODELS
+    folder.mkdir(exist_ok=True)
+    (folder / "candidate.json").write_text("{}")
+    (folder / "candidate.fruit").write_bytes(b"half a model")
+    page = TrainPage(taught, theme)
+    qtbot.addWidget(page)
+    page.show()
+    _rest(qtbot, page)
+    assert page.trainer.waiting is None
     assert page.main_action is page.train
 
 
@@ -162,6 +196,8 @@ def test_a_second_model_is_compared_on_the_same_fruit_and_can_be_rolled_back(
 def test_the_old_model_is_kept_when_a_person_says_so(qtbot: QtBot, taught: Session, page: TrainPage) -> None:
     _train(qtbot, page)
     page.discard.trigger()
+    _rest(qtbot, page)
+    assert page.trainer.waiting is None
     assert page.start.isVisible()
     assert taught.station is not None
     assert taught.station.model is None

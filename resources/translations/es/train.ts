@@ -76,6 +76,10 @@
         <translation>{made}, en uso</translation>
     </message>
     <message>
+        <source>Waits to be accepted: {made}</source>
+        <translation>Espera ser aceptado: {made}</translation>
+    </message>
+    <message>
         <source>What is taught</source>
         <translation>Lo que se enseñó</translation>
     </message>
@@ -283,6 +287,10 @@
     <message>
         <source>Teach at least two kinds first.</source>
         <translation>Enseñe primero al menos dos tipos.</translation>
+    </message>
+    <message>
+        <source>A model waits since before: accept it, keep the old one, or train again to see more.</source>
+        <translation>Un modelo espera desde antes: acéptelo, conserve el anterior, o entrene de nuevo para ver más.</translation>
     </message>
     <message>
         <source>The model in use knows everything that is taught.</source>

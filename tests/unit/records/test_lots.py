@@ -68,6 +68,18 @@ def test_a_lot_found_open_goes_on_without_the_time_in_between(store: Store, lot:
     assert store.commit(lot.key, made_fruit(1), ()).number == 2
 
 
+def test_a_lot_found_open_ends_when_its_last_fruit_passed(store: Store, lot: Lot, clock: Clock) -> None:
+    clock.now_s += 10
+    store.commit(lot.key, made_fruit(1), ())
+    counted_s = clock.now_s
+    clock.now_s += 3600
+    ended = store.lots.end_left_open(lot.key)
+    assert ended.pauses == (Pause(counted_s, clock.now_s, NOT_RUNNING),)
+    assert (ended.ended_s, ended.ran_s(clock.now_s)) == (clock.now_s, 10)
+    with pytest.raises(InputError):
+        store.lots.end_left_open(lot.key)
+
+
 def test_fruit_that_waited_are_kept_after_the_end(store: Store, lot: Lot) -> None:
     store.lots.end(lot.key)
     assert store.commit(lot.key, made_fruit(1), ()).number == 1

@@ -134,7 +134,7 @@ class LivePage(StepPage):
             self.offer(self.start)
             self.say(self.tr("Start a lot to count fruit.") if ready else "")
         elif not running:
-            self.offer(self.take_up)
+            self.offer(self.take_up, self.end)
             self.say(self.tr("Lot {name} is still open; every fruit that was counted is kept.").format(name=lot.name))
         elif lot.paused:
             self.offer(self.resume, self.name, self.end)

@@ -118,6 +118,7 @@ class TrainPage(StepPage):
             if not self.trainer.versions and in_use is None:
                 remark = self.tr("None yet: every fruit counts as unknown until one is trained and accepted.")
             self.start.show_versions(self.trainer.versions, in_use, remark)
+            self.start.show_waiting(self.trainer.waiting)
             self._stack.setCurrentWidget(self.start)
         else:
             self.empty.show_words(
@@ -136,16 +137,19 @@ class TrainPage(StepPage):
         self.discard.setEnabled(not busy)
         self.back.setEnabled(not busy and len(trainer.versions) > 1)
         shown = self._stack.currentWidget()
+        had = session.station is not None and session.station.model is not None
+        self.discard.setText(self.tr("Keep the old") if had else self.tr("Put away"))
         if shown is self.result:
             mistakes = self.result.shown == "mistakes" and self.result.mistakes.chosen is not None
             self.offer(self.accept, *((self.look,) if mistakes else ()), self.train, self.discard)
-            had = session.station is not None and session.station.model is not None
-            self.discard.setText(self.tr("Keep the old") if had else self.tr("Put away"))
         elif shown is self.empty:
             self.offer(self.teach)
         else:
             back = (self.back,) if len(trainer.versions) > 1 else ()
-            self.offer(*((self.go_on, *back, self.train) if self._up_to_date() else (self.train, *back)))
+            if trainer.waiting is not None:
+                self.offer(self.accept, self.train, self.discard)
+            else:
+                self.offer(*((self.go_on, *back, self.train) if self._up_to_date() else (self.train, *back)))
         self.train.setText(self.tr("Train again") if shown is self.result or trainer.versions else self.tr("Train"))
         self.say(self._advice(shown))
 
@@ -160,6 +164,8 @@ class TrainPage(StepPage):
         if shown is self.empty:
             return self.tr("Teach at least two kinds first.")
         if shown is self.start:
+            if self.trainer.waiting is not None:
+                return self.tr("A model waits since before: accept it, keep the old one, or train again to see more.")
             if self._up_to_date():
                 return self.tr("The model in use knows everything that is taught.")
             return self.tr("Press Train; nothing changes on the line until the new model is accepted.")

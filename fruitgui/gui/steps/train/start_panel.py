@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from PySide6.QtCore import QDateTime, QEvent, QLocale, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent
@@ -18,6 +19,7 @@ from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label, set_health
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.records.models import ModelVersion
+from fruitgui.station.candidate import Candidate
 from fruitgui.station.workflow import FRUIT_PER_KIND, SAMPLES_PER_KIND, TaughtFacts
 
 ROW, MARK, BAR = 44.0, 28.0, 6.0
@@ -80,10 +82,14 @@ class TaughtView(QWidget):
 
 def version_line(version: ModelVersion) -> tuple[str, str]:
     """Return when a model was made, and how it did on fruit held out."""
-    when = QDateTime.fromSecsSinceEpoch(round(version.made_s))
+    return held_out_line(version.made_s, version.held_out)
+
+
+def held_out_line(made_s: float, held: Mapping[str, Any]) -> tuple[str, str]:
+    """Return when something was made (Unix seconds), and how it did on fruit held out."""
+    when = QDateTime.fromSecsSinceEpoch(round(made_s))
     made = QLocale().toString(when, QLocale.FormatType.ShortFormat)
-    held = version.held_out
-    if not held.get("fruit"):
+    if not held.get("fruit") or not {"right", "low", "high"} <= held.keys():
         return made, "—"
     rate = Rate(float(held["right"]), float(held["low"]), float(held["high"]), int(held["fruit"]))
     return made, f"{interval_text(rate)} · n = {rate.trials}"
@@ -97,13 +103,15 @@ class StartPanel(QWidget):
         self.taught, self.models = Card(), Card()
         self.kinds = TaughtView(theme)
         self.warning, self.state = label("", "small"), label("", "dim")
+        self.waiting = label("", "strong")
         self.versions = [label("") for _ in range(VERSIONS)]
-        for one in (self.warning, self.state, *self.versions):
+        for one in (self.warning, self.state, self.waiting, *self.versions):
             one.setWordWrap(True)
         set_health(self.warning, "warn")
         self.taught.body.addWidget(self.kinds)
         self.taught.body.addWidget(self.warning)
         self.taught.body.addStretch()
+        self.models.body.addWidget(self.waiting)
         self.models.body.addWidget(self.state)
         for one in self.versions:
             self.models.body.addWidget(one)
@@ -139,6 +147,14 @@ class StartPanel(QWidget):
                 name = self.tr("{made}, in use").format(made=made) if used else made
                 line.setText(f"{'● ' if used else '○ '}{name}\n     {right}")
                 line.setProperty("role", "strong" if used else "dim")
+
+    def show_waiting(self, candidate: Candidate | None) -> None:
+        """Show a model that waits to be accepted since before the window was closed."""
+        self.waiting.setVisible(candidate is not None)
+        if candidate is not None:
+            made, right = held_out_line(candidate.facts.made_s, candidate.held_out)
+            text = self.tr("Waits to be accepted: {made}").format(made=made)
+            self.waiting.setText(f"{text}\n     {right}")
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -17,6 +19,14 @@ from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.models import Models, ModelVersion
 from fruitgui.records.store import Store
 from fruitgui.records.training import Trained, train_store
+from fruitgui.station.candidate import (
+    BEING_MADE,
+    Candidate,
+    CandidateFacts,
+    forget_candidate,
+    keep_candidate,
+    read_candidate,
+)
 from fruitgui.station.fingerprint import calibration_fingerprint
 from fruitgui.station.model import Model
 from fruitgui.station.station import Station
@@ -24,7 +34,6 @@ from fruitgui.station.workflow_file import ModelMark
 from fruitgui.station.workspace import MODELS, Workspace
 
 SEED = 0
-CANDIDATE = "candidate.fruit"
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +48,8 @@ class Trainer(QObject):
     """Trains, and takes models into use; whatever takes long is done by a task.
 
     Attributes:
-        trained: the model that waits to be accepted, or None.
+        trained: the model that was just trained and waits to be accepted, with all that is known of it; or None.
+        waiting: a model that was waiting when the window was closed, or None.
         versions: all models that there are, the newest first.
         changed: one of these, or whether it trains.
     """
@@ -52,6 +62,7 @@ class Trainer(QObject):
         self._task: Task[Trained] | None = None
         self._taking: Task[Taken] | None = None
         self.trained: Trained | None = None
+        self.waiting: Candidate | None = None
         self.versions: tuple[ModelVersion, ...] = ()
         self.queries = Queries(self)
         self.queries.failed.connect(session.messages.error)
@@ -69,8 +80,19 @@ class Trainer(QObject):
         return next((one for one in self.versions if one.file == name), None)
 
     def load(self) -> None:
-        """Read which models there are."""
+        """Read which models there are, and whether one waits to be accepted."""
         self.queries.ask("versions", self._session.store.models.versions, self._list)
+        if self.trained is None and not self.busy:
+            self.queries.ask("candidate", partial(read_candidate, self._folder), self._found)
+
+    @property
+    def _folder(self) -> Path:
+        return self._session.workspace.folder / MODELS
+
+    @property
+    def _candidate(self) -> Candidate | None:
+        """What waits to be accepted."""
+        return self.waiting if self.trained is None else candidate_of(self.trained)
 
     def train(self) -> None:
         """Train on everything that is taught."""
@@ -86,16 +108,18 @@ class Trainer(QObject):
 
     def accept(self) -> None:
         """Take the new model into use."""
-        trained, station = self.trained, self._session.station
-        if trained is not None and station is not None and not self.busy:
-            self._run(self.tr("Taking the model into use"), taking(self._session, trained, station), self._accepted)
+        candidate, station = self._candidate, self._session.station
+        if candidate is not None and station is not None and not self.busy:
+            self._run(self.tr("Taking the model into use"), taking(self._session, candidate, station), self._accepted)
 
     def discard(self) -> None:
         """Keep the old one."""
-        self.trained = None
+        self.trained = self.waiting = None
+        forget_candidate(self._folder)
         kept = self._session.station is not None and self._session.station.model is not None
         said = self.tr("The model in use stays; the new one was put away.") if kept else self.tr("It was put away.")
         self._session.messages.info(said)
+        self.load()
         self.changed.emit()
 
     def roll_back(self) -> None:
@@ -115,8 +139,13 @@ class Trainer(QObject):
         self.versions = versions
         self.changed.emit()
 
+    def _found(self, candidate: Candidate | None) -> None:
+        if self.trained is None and candidate is not self.waiting:
+            self.waiting = candidate
+            self.changed.emit()
+
     def _take(self, trained: Trained) -> None:
-        self.trained = trained
+        self.trained, self.waiting = trained, None
 
     def _stopped(self) -> None:
         self._session.messages.info(self.tr("Training was stopped; nothing was changed."))
@@ -126,7 +155,7 @@ class Trainer(QObject):
         self.changed.emit()
 
     def _accepted(self, taken: Taken) -> None:
-        self.trained = None
+        self.trained = self.waiting = None
         self._use(taken)
         messages = self._session.messages
         if self._session.running.running:
@@ -162,36 +191,42 @@ def training(store: Store, workspace: Workspace, station: Station | None) -> Job
     def job(progress: Progress, cancelled: Cancelled) -> Trained:
         folder = workspace.folder / MODELS
         folder.mkdir(exist_ok=True)
-        out = folder / CANDIDATE
+        out = folder / BEING_MADE
         try:
-            return train_store(store, _reads(workspace, station), out, SEED, worded(progress), cancelled)
+            trained = train_store(store, _reads(workspace, station), out, SEED, worded(progress), cancelled)
+            keep_candidate(folder, candidate_of(trained).facts)
+            return trained
         finally:
-            _put_away(out)
+            out.unlink(missing_ok=True)
 
     return job
 
 
-def _put_away(path: Path) -> None:
-    """Remove the candidate: it lies in memory, and gets a number of its own once it is accepted."""
-    path.unlink(missing_ok=True)
+def candidate_of(trained: Trained) -> Candidate:
+    """Return what is kept of a model that was just trained."""
+    facts = CandidateFacts(
+        taught=trained.taught, trained_on=trained.trained_on, held_out=trained.held_out, made_s=time.time()
+    )
+    return Candidate(trained.outcome.model, facts)
 
 
 def _reads(workspace: Workspace, station: Station | None) -> Callable[[], Model | None]:
     return lambda: None if station is None else workspace.model(station).value
 
 
-def taking(session: Session, trained: Trained, station: Station) -> Job[Taken]:
+def taking(session: Session, candidate: Candidate, station: Station) -> Job[Taken]:
     """Return the job that writes a model beside the others, and notes that it is in use."""
     workspace, models = session.workspace, session.store.models
 
     def job(progress: Progress, cancelled: Cancelled) -> Taken:  # noqa: ARG001 - a file of some kilobytes
         progress(0.0, "")
         _know(models, station.model)
-        file = workspace.add_model(trained.outcome.model)
-        models.use(models.add(file.name, trained.trained_on, trained.held_out))
-        kinds = tuple(trained.outcome.model.kinds.kinds)
-        return Taken(file.name, ModelMark(calibration=calibration_fingerprint(station), taught=trained.taught,
-                                          kinds=kinds))  # fmt: skip
+        file = workspace.add_model(candidate.model)
+        models.use(models.add(file.name, candidate.facts.trained_on, candidate.facts.held_out))
+        forget_candidate(workspace.folder / MODELS)
+        kinds = tuple(candidate.model.kinds.kinds)
+        mark = ModelMark(calibration=calibration_fingerprint(station), taught=candidate.facts.taught, kinds=kinds)
+        return Taken(file.name, mark)
 
     return job
 
