@@ -139,4 +139,4 @@ def problem(code: str, **values: str) -> Problem:
 
 def problem_of(error: FruitguiError) -> Problem:
     """Return an error, of a driver for example, as a problem."""
-    return Problem(error.code, error.what, error.remedy)
+    return Problem(error.code, error.what, error.remedy, {name: str(value) for name, value in error.values.items()})

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from fruitgui.errors import FruitguiError
+from fruitgui.gui import error_words
 from fruitgui.gui.steps.connect.checkup_cards import CheckedSensorCard, ControllerCard, ProblemCard
 from fruitgui.gui.steps.connect.checkup_words import said, summary_text, worded
 from fruitgui.gui.steps.connect.rules_dialog import RulesDialog
@@ -214,7 +215,8 @@ class CheckupDialog(QDialog):
         self._checkup = checkup
 
     def _failed(self, error: FruitguiError) -> None:
-        self._note = f"{error.what} {error.remedy}"
+        told = error_words.told(error)
+        self._note = f"{told.what} {told.remedy}"
         self._show_busy()
 
     def _stopped(self) -> None:

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from PySide6.QtCore import QCoreApplication
 
+from fruitgui.gui import error_words
 from fruitgui.gui.numbers import count_text, number_text
-from fruitgui.gui.steps.connect.driver_words import fault_words
 from fruitgui.gui.steps.connect.words import Condition
 from fruitgui.progress import Progress
 from fruitgui.sensors.usb.problems import Problem
@@ -181,7 +181,7 @@ def _while_it_runs() -> Mapping[str, tuple[str, str]]:
 
 def said(problem: Problem) -> tuple[str, str]:
     """Return what is wrong and what to do, in the operator's language."""
-    words = problem_words().get(problem.code) or fault_words().get(problem.code)
+    words = problem_words().get(problem.code) or error_words.words().get(problem.code)
     if words is None:
         return problem.what, problem.remedy
     values = {name: _number(text) if name in RATES else text for name, text in problem.values.items()}
