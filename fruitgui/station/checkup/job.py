@@ -43,6 +43,7 @@ class CheckupPlan:
         machine: the system.
         drivers: of all makes.
         watching: runs the sensors.
+        known_as: names that people gave to sensors, by serial.
         answer_s: how long a driver may take to say what is plugged in.
     """
 
@@ -50,6 +51,7 @@ class CheckupPlan:
     machine: Machine = field(default_factory=Machine)
     drivers: Sequence[Driver] = field(default_factory=known_drivers)
     watching: Watching = measure
+    known_as: Mapping[str, str] = field(default_factory=dict)
     answer_s: float = ANSWER_S
 
 
@@ -65,7 +67,7 @@ def check_up(plan: CheckupPlan, progress: Progress = no_progress, cancelled: Can
     progress(0.05, "Asking the drivers")
     answers = ask(_of_use(plan.drivers, view), plan.answer_s)
     stop_if(cancelled)
-    found = joined(view, answers)
+    found = joined(view, answers, plan.known_as)
     outcomes = _run(found, plan, progress, cancelled) if plan.seconds > 0 else {}
     sensors = tuple(_with_outcome(one.checked, outcomes.get(one.checked.name), plan.seconds) for one in found)
     answered = [one.problem for one in answers if one.problem is not None]

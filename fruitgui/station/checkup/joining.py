@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from fruitgui.sensors.drivers import PluggedDevice
@@ -39,10 +39,16 @@ class Joined:
     sensor: Sensor | None = None
 
 
-def joined(view: UsbView, answers: Sequence[Answer]) -> tuple[Joined, ...]:
-    """Return every sensor once: those that drivers list, in their order, then those that only the USB shows."""
+def joined(view: UsbView, answers: Sequence[Answer], known_as: Mapping[str, str]) -> tuple[Joined, ...]:
+    """Return every sensor once: those that drivers list, in their order, then those that only the USB shows.
+
+    Args:
+        view: of the USB.
+        answers: of the drivers.
+        known_as: names that people gave, by serial; other sensors are counted by make, as connecting them does.
+    """
     left = list(view.sensors)
-    count: Counter[str] = Counter()
+    names = _Names(known_as)
     listed = [(device, sensor) for answer in answers for device, sensor in answer.found]
     twins = _twins(device for device, _ in listed)
     together = []
@@ -50,17 +56,30 @@ def joined(view: UsbView, answers: Sequence[Answer]) -> tuple[Joined, ...]:
         seen = _seen(device, left)
         if seen is not None:
             left.remove(seen)
-        together.append(Joined(_listed(device, seen, view, _next_name(device.make, count), twins), sensor))
+        together.append(Joined(_listed(device, seen, view, names.of(device.make, device.serial), twins), sensor))
     by_make = {answer.make: answer for answer in answers}
     for seen in left:
         make = seen.known.make
-        together.append(Joined(_only_seen(seen, view, _next_name(make, count), by_make.get(make))))
+        together.append(Joined(_only_seen(seen, view, names.of(make, seen.device.serial), by_make.get(make))))
     return tuple(together)
 
 
-def _next_name(make: str, count: Counter[str]) -> str:
-    count[make] += 1
-    return f"{make}_{count[make]}"
+class _Names:
+    """Gives each sensor a name of its own."""
+
+    def __init__(self, known_as: Mapping[str, str]) -> None:
+        self._known_as = known_as
+        self._taken = set(known_as.values())
+        self._count: Counter[str] = Counter()
+
+    def of(self, make: str, serial: str) -> str:
+        if serial in self._known_as:
+            return self._known_as[serial]
+        while True:
+            self._count[make] += 1
+            name = f"{make}_{self._count[make]}"
+            if name not in self._taken:
+                return name
 
 
 def _twins(devices: Iterable[PluggedDevice]) -> set[tuple[str, str]]:

@@ -144,6 +144,15 @@ def test_kinects_on_one_bus_do_not_fit_even_where_only_their_driver_shows_it(tmp
     assert [(one.code, one.values["controller"]) for one in found.problems] == [("buses_full", "bus 2")]
 
 
+@pytest.mark.usefixtures("no_leaked_threads")
+def test_sensors_have_the_names_that_people_gave(tmp_path: Path) -> None:
+    drivers = [kinects("A1", "B2", "C3")]
+    known_as = {"B2": "left", "C3": "kinect_1", "away": "kinect_2"}
+    found = check_up(CheckupPlan(SECONDS, Machine(tmp_path), drivers, known_as=known_as))
+    assert [(one.serial, one.name) for one in found.sensors] == [("A1", "kinect_3"), ("B2", "left"), ("C3", "kinect_1")]
+    assert all(one.measured is not None for one in found.sensors)
+
+
 def test_sensors_that_cannot_be_told_apart_are_said_and_not_run(tmp_path: Path) -> None:
     driver = MadeDriver("kinect", [PluggedDevice("kinect", "Kinect 1473", "0000000000000000")] * 2)
     found = look(tmp_path, driver, seconds=SECONDS)

@@ -259,7 +259,10 @@ class ConnectPage(StepPage):
 
     def _check_sensors(self) -> None:
         feed, others = self._session.connected.feed, None if self._session.running.running else measure
-        plan = CheckupPlan(CHECK_S, watching=measure if feed is None else MeasuringBeside(feed, others))
+        watching = measure if feed is None else MeasuringBeside(feed, others)
+        connection = self._session.connection
+        named = () if connection is None else tuple(one for one in connection.sensors if one.serial)
+        plan = CheckupPlan(CHECK_S, watching=watching, known_as={one.serial: one.name for one in named})
         self.checkup = CheckupDialog(partial(check_up, plan), plan.machine, self._session.tasks, self._theme, self)
         self.checkup.finished.connect(self.checkup.deleteLater)
         self.checkup.open()
