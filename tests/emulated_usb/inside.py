@@ -12,7 +12,7 @@ from pathlib import Path
 
 from tests.emulated_usb.emulation import Emulation
 
-LONGEST_S = 240.0
+LONGEST_S = 1400.0
 _LEFT_S = 20.0
 
 

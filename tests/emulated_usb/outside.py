@@ -16,7 +16,7 @@ from tests.emulated_usb.emulation import Emulation
 
 SOURCE = Path(__file__).with_name("emulated_usb.c")
 ROOT = Path(__file__).parents[2]
-LONGEST_S = 300.0
+LONGEST_S = 1500.0
 
 Inside = Callable[[Emulation, Path], None]
 

@@ -51,16 +51,15 @@ def moving_belt() -> Scene:
 
 
 class Player:
-    """Pushes the pictures of all Kinects that are plugged in, a thread for each, from `start` to `stop`.
+    """Pushes the pictures of all Kinects that are plugged in at their pace, a thread for each, from `start` to `stop`.
 
-    At their pace a picture that finds no transfer waiting is lost, as on a real bus. Flat out (`speed` above 1) the bus
-    waits for the host instead, and device time runs as fast as the host takes pictures, at most `speed` times.
+    Its time is the process's monotonic clock, also where a test lets that run faster.
 
     Args:
         usb: the bus, with Kinects plugged in.
         scene: what they see.
         faults: what happens, in any order; more by `do`.
-        speed: device seconds per second.
+        wait_ms: so long a picture waits for the host to take it; at 0 it is lost at once, as on a real bus.
         seed: of the device clocks' beginnings and drifts.
     """
 
@@ -69,13 +68,13 @@ class Player:
         usb: Emulation,
         scene: Scene | None = None,
         faults: Iterable[Fault] = (),
-        speed: float = 1.0,
+        wait_ms: int = 0,
         seed: int = 0,
     ) -> None:
         self._usb = usb
         self._scene = scene or moving_belt()
         self._faults = sorted(faults, key=lambda fault: fault.at_s)
-        self._speed = speed
+        self._wait_ms = wait_ms
         rng = np.random.default_rng(seed)
         self._beginnings = [int(rng.integers(2**32)) for _ in usb.kinects]
         self._drifts = [float(rng.uniform(-50e-6, 50e-6)) for _ in usb.kinects]
@@ -85,6 +84,7 @@ class Player:
         self._began_s = 0.0
         self.sent: Counter[int] = Counter()
         self.damaged: Counter[int] = Counter()
+        self.late_s = [0.0 for _ in usb.kinects]
 
     def __enter__(self) -> Self:
         self.start()
@@ -113,11 +113,12 @@ class Player:
     @property
     def now_s(self) -> float:
         """Device time since the beginning."""
-        return (time.monotonic() - self._began_s) * self._speed
+        return time.monotonic() - self._began_s
 
-    def host_s(self) -> float:
-        """Return a host's clock that runs as fast as the devices do: for a driver, where `speed` is not 1."""
-        return self._began_s + self.now_s
+    @property
+    def began_s(self) -> float:
+        """When it began, by the host's monotonic clock."""
+        return self._began_s
 
     def do(self, fault: Fault) -> None:
         """Let something happen now."""
@@ -146,25 +147,25 @@ class Player:
 
     def _happen(self) -> None:
         for fault in self._faults:
-            if self._stop.wait(max((fault.at_s - self.now_s) / self._speed, 0.0)):
+            if self._stop.wait(max(fault.at_s - self.now_s, 0.0)):
                 return
             self.do(fault)
 
     def _stream(self, number: int) -> None:
-        wait_ms = 0 if self._speed <= 1.0 else 200
         count = 0
-        while not self._stop.wait(max((count / RATE_HZ - self.now_s) / self._speed, 0.0)):
+        while not self._stop.wait(max(count / RATE_HZ - self.now_s, 0.0)):
             time_s = count / RATE_HZ
+            self.late_s[number] = self.now_s - time_s
             if time_s >= self._silent_until_s[number]:
-                self._send(number, time_s, wait_ms)
+                self._send(number, time_s)
             # who is late does not hurry: what was not sent in time is not sent
-            count = max(count + 1, int(self.now_s * RATE_HZ) if self._speed <= 1.0 else 0)
+            count = max(count + 1, int(self.now_s * RATE_HZ))
 
-    def _send(self, number: int, time_s: float, wait_ms: int) -> None:
+    def _send(self, number: int, time_s: float) -> None:
         raw, bayer = self._scene(number, time_s)
         ticks = self._beginnings[number] + round(time_s * TICKS_PER_S * (1.0 + self._drifts[number]))
-        lost = self._usb.push_depth(number, raw, ticks, wait_ms)
-        lost_color = self._usb.push_video(number, bayer, ticks + _COLOR_LATER_TICKS, wait_ms)
+        lost = self._usb.push_depth(number, raw, ticks, self._wait_ms)
+        lost_color = self._usb.push_video(number, bayer, ticks + _COLOR_LATER_TICKS, self._wait_ms)
         if lost >= 0 and lost_color >= 0:
             self.sent[number] += 1
             self.damaged[number] += lost + lost_color > 0

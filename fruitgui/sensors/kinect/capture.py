@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections import deque
@@ -12,6 +13,8 @@ from fruitgui.sensors.kinect.clock import FRAME_TICKS, HostClock, TickCounter
 from fruitgui.sensors.kinect.device import Picture
 from fruitgui.sensors.kinect.packets import Stream
 from fruitgui.sensors.kinect.pairing import ColorPicture, DepthPicture, Pair, Pairing
+
+log = logging.getLogger(__name__)
 
 _KEPT = 4
 """Captures that wait to be read; the oldest give way, and their numbers are missing."""
@@ -33,9 +36,14 @@ class Capture:
 
 
 class Captures:
-    """What one device took. `hear` and `end` are called by the device's thread, everything else by the reader."""
+    """What one device took. `hear` and `end` are called by the device's thread, everything else by the reader.
 
-    def __init__(self) -> None:
+    Args:
+        serial: of the device.
+    """
+
+    def __init__(self, serial: str) -> None:
+        self._serial = serial
         self._ticks = TickCounter()
         self._clock = HostClock()
         self._pairing = Pairing()
@@ -92,7 +100,11 @@ class Captures:
         steps = 1 if self._last_ticks is None else round((ticks - self._last_ticks) / FRAME_TICKS)
         self._sequence += min(max(steps, 1), _MOST_STEPS)
         self._last_ticks = ticks
-        return Capture(pair, self._sequence, self._clock.time_s(ticks, pair.depth.arrived_s))
+        jumps = self._clock.jumps
+        time_s = self._clock.time_s(ticks, pair.depth.arrived_s)
+        if self._clock.jumps > jumps:
+            log.warning("The clock of Kinect %s jumped; its times go on by the host's clock.", self._serial)
+        return Capture(pair, self._sequence, time_s)
 
 
 _MOST_STEPS = 10 * 30

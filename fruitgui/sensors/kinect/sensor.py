@@ -56,7 +56,7 @@ class KinectSensor:
         self._color = NOMINAL_COLOR
         self._table: U16 | None = None
         self._registration: Registration | None = None
-        self._captures = Captures()
+        self._captures = Captures(serial)
         self._device: Device | None = None
         self._session: Session | None = None
         self._shining = True
@@ -74,7 +74,7 @@ class KinectSensor:
         """
         self.close()
         self._left.check(self._serial)
-        captures = Captures()
+        captures = Captures(self._serial)
         device = self._make_device(captures.hear)
         session = Session(device, self._serial, lambda: captures.end(session.failure))
         self._session, self._device, self._captures = session, device, captures

@@ -1,0 +1,27 @@
+"""Three minutes of a shift; `python -m tests.shift --minutes 60` runs an hour."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.emulated_usb.emulation import Emulation
+from tests.emulated_usb.outside import inside
+from tests.shift.shift import run
+
+MINUTES, SEED = 3.0, 1
+
+
+@inside
+def test_a_shift_in_which_everything_goes_wrong_once(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    outcome = run(usb, 60.0 * MINUTES, SEED)
+    assert len({one.what for one in outcome.happened}) == 7
+    assert outcome.unsaid == ()
+    assert outcome.count.passed > 60
+    assert (outcome.count.missed, outcome.count.twice, outcome.count.strange) == ((), (), 0)
+    assert abs(outcome.count.volume_error) < 0.05
+    assert outcome.skipped == 0
+    assert outcome.end.memory_mb < outcome.quarter.memory_mb + 100.0
+    assert outcome.end.threads <= outcome.quarter.threads + 2
+    assert outcome.end.files <= outcome.quarter.files + 4
+    assert outcome.end.usb <= outcome.quarter.usb + 4
+    assert outcome.threads_left == 1
