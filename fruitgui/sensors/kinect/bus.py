@@ -128,7 +128,7 @@ class Bus:
 
     def _serial_of(self, camera: _Listed, devices: list[_Listed]) -> str:
         serial = self._string(camera)
-        if serial.strip("0"):
+        if not serial or serial.strip("0"):
             return serial
         ears = [one for one in devices if is_microphone(one.vendor, one.product) and _on_one_hub(one, camera)]
         return (self._string(ears[0]) if len(ears) == 1 else "") or serial

@@ -51,7 +51,7 @@ def nominal_cameras(plane: ZeroPlane) -> Cameras:
     return Cameras(Registration(depth_camera(plane), NOMINAL_COLOR, pose), None)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=8)
 def cameras_of(factory: Factory) -> Cameras:
     """Return the cameras that put each reading where the factory says, as nearly as cameras can.
 
