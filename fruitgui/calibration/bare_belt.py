@@ -119,4 +119,4 @@ def _light(frame: Frame, bare: Bools, step: int) -> tuple[float, float, float] |
 def _middle(values: np.ndarray) -> np.ndarray:
     """Return the values between the quartiles: their mean is a median that is finer than one step."""
     low, high = np.percentile(values, (25, 75))
-    return values[(values >= low) & (values <= high)]
+    return np.asarray(values[(values >= low) & (values <= high)])

@@ -24,6 +24,22 @@ class Projector(StrEnum):
     FIXED = "fixed"
 
 
+class ColorLock(StrEnum):
+    """Whether exposure and white balance stay as they are.
+
+    Attributes:
+        UNKNOWN: the driver cannot tell.
+        AUTOMATIC: they follow the light, and cannot be held.
+        LOCKABLE: they follow the light now, and can be held.
+        LOCKED: they are held.
+    """
+
+    UNKNOWN = "unknown"
+    AUTOMATIC = "automatic"
+    LOCKABLE = "lockable"
+    LOCKED = "locked"
+
+
 @dataclass(frozen=True, slots=True)
 class SensorInfo:
     """Who a sensor is.
@@ -34,6 +50,7 @@ class SensorInfo:
         intrinsics: of the colour camera, to which depth is registered.
         rate_hz: nominal frame rate, when not taking turns.
         projector: whether it has to take turns with others.
+        color_lock: whether exposure and white balance stay as they are; may change while it runs.
     """
 
     sensor: str
@@ -43,6 +60,7 @@ class SensorInfo:
     intrinsics: Intrinsics
     rate_hz: float
     projector: Projector = Projector.HARMLESS
+    color_lock: ColorLock = ColorLock.UNKNOWN
 
 
 class SensorTimeoutError(WorldError):

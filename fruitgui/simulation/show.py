@@ -9,7 +9,7 @@ from enum import StrEnum
 import numpy as np
 
 from fruitgui.frame import Frame
-from fruitgui.sensors.sensor import SensorInfo
+from fruitgui.sensors.sensor import ColorLock, SensorInfo
 from fruitgui.simulation.body import Body
 from fruitgui.simulation.device import Device
 from fruitgui.simulation.light import make_light
@@ -130,4 +130,12 @@ class Show:
 def show_info(device: Device, options: LineOptions) -> SensorInfo:
     """Return who a sensor of the show is."""
     camera = device.color_camera
-    return SensorInfo(device.sensor, "fruitgui", "simulated Kinect v1", device.serial, camera, options.rate_hz)
+    return SensorInfo(
+        device.sensor,
+        "fruitgui",
+        "simulated Kinect v1",
+        device.serial,
+        camera,
+        options.rate_hz,
+        color_lock=ColorLock.LOCKED,
+    )

@@ -10,7 +10,7 @@ import numpy as np
 
 from fruitgui.errors import WorldError
 from fruitgui.frame import Frame
-from fruitgui.sensors.sensor import EndOfStreamError, SensorInfo, SensorTimeoutError
+from fruitgui.sensors.sensor import ColorLock, EndOfStreamError, SensorInfo, SensorTimeoutError
 from fruitgui.simulation.simulation import Simulation
 
 
@@ -129,4 +129,12 @@ def sensor_info(sim: Simulation, sensor: str) -> SensorInfo:
     device = sim.device(sensor)
     times_s = [capture.time_s for capture in sim.captures if capture.sensor == sensor]
     rate_hz = 1.0 / float(np.median(np.diff(times_s))) if len(times_s) > 1 else 0.0
-    return SensorInfo(sensor, "fruitgui", "simulated Kinect v1", device.serial, device.color_camera, round(rate_hz, 1))
+    return SensorInfo(
+        sensor,
+        "fruitgui",
+        "simulated Kinect v1",
+        device.serial,
+        device.color_camera,
+        round(rate_hz, 1),
+        color_lock=ColorLock.LOCKED,
+    )

@@ -10,6 +10,7 @@ from typing import Any, Protocol
 
 from fruitgui.errors import InputError
 from fruitgui.sensors.drivers import Driver, known_drivers
+from fruitgui.sensors.held_color import held
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.player import AtSpeed, FlatOut, recorded_sensors
 from fruitgui.sensors.sensor import Sensor
@@ -164,9 +165,8 @@ class DevicesSource:
                 what = f"There is no driver for {device.make[:80]!r}; there are {', '.join(drivers) or 'none'}."
                 raise InputError("bad_source", what, REMEDY)
             count[device.make] += 1
-            sensors.append(
-                NamedSensor(drivers[device.make].sensor(device.serial), f"{device.make}_{count[device.make]}")
-            )
+            sensor = held(drivers[device.make].sensor(device.serial))
+            sensors.append(NamedSensor(sensor, f"{device.make}_{count[device.make]}"))
         return Connected(sensors)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from fruitgui.errors import FruitguiError
+from fruitgui.sensors.sensor import ColorLock
 
 RATE_OVER_S = 3.0
 """The rate is that of the last seconds, not of the whole shift."""
@@ -47,6 +48,7 @@ class SensorHealth:
         reopened: how often it was opened again.
         hangs: its driver does not come back from a call.
         blinded_by: sensors whose driver hangs while their projectors may be on, in what should be this one's turn.
+        color_lock: whether exposure and white balance stay as they are.
         abandoned: its thread hangs in the driver and was left behind.
     """
 
@@ -62,6 +64,7 @@ class SensorHealth:
     reopened: int = 0
     hangs: bool = False
     blinded_by: tuple[str, ...] = ()
+    color_lock: ColorLock = ColorLock.UNKNOWN
     abandoned: bool = False
 
 

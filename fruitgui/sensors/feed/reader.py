@@ -117,6 +117,7 @@ class Reader:
             reopened=max(self._opened - 1, 0),
             hangs=self._sensor.hangs,
             blinded_by=self._keeper.blinding(self.name) if turns else (),
+            color_lock=self._sensor.info.color_lock,
             abandoned=self._abandoned,
         )
 

@@ -20,7 +20,7 @@ from fruitgui.sensors.kinect.motor import Led, Motor
 from fruitgui.sensors.kinect.packets import Stream
 from fruitgui.sensors.kinect.session import LeftBehind, Session
 from fruitgui.sensors.registration import Registration
-from fruitgui.sensors.sensor import Projector, SensorInfo, SensorTimeoutError
+from fruitgui.sensors.sensor import ColorLock, Projector, SensorInfo, SensorTimeoutError
 
 RATE_HZ = 30.0
 FELT_EVERY_S = 1.0
@@ -64,7 +64,10 @@ class KinectSensor:
     @property
     def info(self) -> SensorInfo:
         """Who this is."""
-        return SensorInfo(self._name, "Microsoft", self._model, self._serial, self._color, RATE_HZ, Projector.SWITCHED)
+        return SensorInfo(
+            self._name, "Microsoft", self._model, self._serial, self._color, RATE_HZ, Projector.SWITCHED,
+            ColorLock.LOCKABLE,
+        )  # fmt: skip
 
     def open(self) -> None:
         """Take the device.
