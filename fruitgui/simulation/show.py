@@ -1,18 +1,23 @@
-"""A simulated rig that runs for ever: a line, a still scene for calibrating, or an empty belt before it."""
+"""A simulated rig that runs for ever: a line, a still scene for calibrating, or what else a person puts before it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 from enum import StrEnum
+from functools import cache
 
 import numpy as np
 
 from fruitgui.frame import Frame
 from fruitgui.sensors.sensor import ColorLock, SensorInfo
 from fruitgui.simulation.body import Body
+from fruitgui.simulation.depth_bench import ORANGE
 from fruitgui.simulation.device import Device
+from fruitgui.simulation.foreign import box_of
+from fruitgui.simulation.fruit import ball
 from fruitgui.simulation.light import make_light
+from fruitgui.simulation.mesh import Mesh
 from fruitgui.simulation.motion import SpeedProfile, constant
 from fruitgui.simulation.scenes import sight_of, still_scene
 from fruitgui.simulation.simulation import Capture, Scene, Simulation
@@ -20,6 +25,11 @@ from fruitgui.simulation.supply import BEFORE_SIGHT_M, LUX, LineOptions, has_lef
 
 STILL_FRUIT, STILL_FRUIT_PER_SENSOR = 15, 8
 _INSTANT_S = 1e-6
+
+SHOWN_BOARD_M, SHOWN_BALL_M = (0.40, 0.30, 0.20), 0.20
+"""A carton whose lid is level, and a ball: what a device's depth is measured with."""
+
+BOARD_NUMBER, BALL_NUMBER = -1_000_001, -1_000_002
 
 
 class Showing(StrEnum):
@@ -29,6 +39,8 @@ class Showing(StrEnum):
     PAUSED = "paused"
     STILL = "still"
     EMPTY = "empty"
+    BOARD = "board"
+    BALL = "ball"
 
 
 class Show:
@@ -102,7 +114,17 @@ class Show:
                 SpeedProfile(stopped, (speed_m_s, speed_m_s, 0.0)),
                 self.belt_s + 3 * _INSTANT_S,
             )
-        return (() if showing is Showing.EMPTY else self._at_rest()), constant(0.0), 0.0
+        return self._resting(showing), constant(0.0), 0.0
+
+    def _resting(self, showing: Showing) -> Sequence[Body]:
+        """Return what lies on a belt that rests."""
+        if showing is Showing.EMPTY:
+            return ()
+        if showing is Showing.BOARD:
+            return (Body(BOARD_NUMBER, "box", carton(), (0.0, 0.0), foreign=True),)
+        if showing is Showing.BALL:
+            return (Body(BALL_NUMBER, "ball", ball(SHOWN_BALL_M / 2, ORANGE), (0.0, 0.0), foreign=True),)
+        return self._at_rest()
 
     def _on_the_line(self) -> list[Body]:
         """Return the bodies that are not yet past; more are supplied before they come into sight."""
@@ -125,6 +147,12 @@ class Show:
             ).scene
             self._still = [replace(body, fruit_id=-body.fruit_id) for body in scene.bodies]
         return self._still
+
+
+@cache
+def carton() -> Mesh:
+    """Return the carton."""
+    return box_of(np.array(SHOWN_BOARD_M), np.random.default_rng(0))
 
 
 def show_info(device: Device, options: LineOptions) -> SensorInfo:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Collection
 
 from fruitgui.errors import WorldError
 from fruitgui.frame import Frame
@@ -21,21 +22,22 @@ def collect_stills(
     count: int = FRAMES_PER_SENSOR,
     progress: Progress = no_progress,
     cancelled: Cancelled = never_cancelled,
+    sensors: Collection[str] | None = None,
 ) -> dict[str, list[Frame]]:
-    """Return the next `count` frames of each sensor of a running feed, uncorrected.
+    """Return the next `count` frames of each sensor of a running feed, or of some of them, uncorrected.
 
     Raises:
         WorldError: a sensor gave nothing for too long; says which.
         CancelledByUserError: `cancelled` said so.
     """
-    stills: dict[str, list[Frame]] = {sensor: [] for sensor in feed.sensors}
-    heard_s = dict.fromkeys(feed.sensors, time.monotonic())
+    stills: dict[str, list[Frame]] = {one: [] for one in feed.sensors if sensors is None or one in sensors}
+    heard_s = dict.fromkeys(stills, time.monotonic())
     queue = feed.subscribe(count)
     try:
         while any(len(frames) < count for frames in stills.values()):
             stop_if(cancelled)
             arrival = queue.take(TAKE_S)
-            if arrival is not None:
+            if arrival is not None and arrival.frame.sensor in stills:
                 frames = stills[arrival.frame.sensor]
                 frames.extend([arrival.frame] if len(frames) < count else [])
                 heard_s[arrival.frame.sensor] = arrival.arrived_s

@@ -1,0 +1,134 @@
+"""Looks at one sensor while its depth is being measured: what of belt, board or ball it sees now."""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from fruitgui.calibration import planes
+from fruitgui.calibration.depth.measured import SeenFlat
+from fruitgui.calibration.depth.seeing import read_rise_m, see_ball, see_belt, see_board
+from fruitgui.calibration.still import Still, average
+from fruitgui.errors import FruitguiError
+from fruitgui.frame import Bools
+from fruitgui.sensors.feed import Feed
+from fruitgui.station.stills import collect_stills
+
+CAPTURES = 3
+REST_S, REST_SHARE = 0.3, 1.0
+"""It rests at least so long, and as long as it worked: the window and the sensors come first."""
+
+log = logging.getLogger(__name__)
+
+
+class Looked(StrEnum):
+    """What is looked for."""
+
+    BELT = "belt"
+    BOARD = "board"
+    BALL = "ball"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Aim:
+    """What is looked for, how high or wide it was typed to be, m, and the belt as it was taken first."""
+
+    what: Looked
+    length_m: float = 0.0
+    belt: SeenFlat | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """What was seen at one look.
+
+    Attributes:
+        what: was looked for.
+        on: (H, W) pixels of it; None where it is not seen.
+        length_m: of the belt its distance straight ahead, of a board its height over the belt, of a ball its
+            diameter as typed; as read, uncorrected.
+        moving: something moves.
+    """
+
+    what: Looked
+    on: Bools | None
+    length_m: float
+    moving: bool
+
+
+def sight_of(still: Still, aim: Aim) -> Sight:
+    """Return what a picture shows of what is looked for."""
+    moving = bool(still.moved.mean() > MOVING)
+    if aim.what is Looked.BELT or aim.belt is None:
+        belt = see_belt(still)
+        if belt is None:
+            return Sight(Looked.BELT, None, 0.0, moving)
+        return Sight(Looked.BELT, belt.on, float(1.0 / belt.coefficients[2]), moving)
+    plane = planes.plane_of(aim.belt.coefficients)
+    if aim.what is Looked.BOARD:
+        board = see_board(still, plane, aim.length_m)
+        on, length_m = (None, 0.0) if board is None else (board.on, read_rise_m(board, plane))
+        return Sight(Looked.BOARD, on, length_m, moving)
+    ball = see_ball(still, plane, aim.length_m / 2)
+    return Sight(Looked.BALL, None if ball is None else ball.on, aim.length_m, moving)
+
+
+MOVING = 0.005
+"""Share of the picture that changes although nothing moves: edges flicker."""
+
+
+class DepthWatch:
+    """Looks from `start` to `stop` for what `aim` says; `newest` is what it saw last. Stopping waits for nothing."""
+
+    def __init__(self, feed: Feed, sensor: str, aim: Aim) -> None:
+        self._feed = feed
+        self._sensor = sensor
+        self._stop = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="depth watch", daemon=True)
+        self.aim = aim
+        self.newest: Sight | None = None
+
+    def start(self) -> None:
+        """Begin. Once only."""
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Let it end after what it does just now, a second at most."""
+        self._stop.set()
+
+    def wait(self, timeout_s: float) -> bool:
+        """Return whether it has ended, in that time."""
+        if self._thread.ident is not None:
+            self._thread.join(timeout_s)
+        return not self._thread.is_alive()
+
+    def _run(self) -> None:
+        while not self._stop.is_set():
+            began_s = time.monotonic()
+            try:
+                self.newest = self._look(self.aim)
+            except FruitguiError:
+                self.newest = None  # the screen that shows the sensor's health says why
+            except Exception:  # the edge of a thread; this is a help, and must not end anything else
+                log.exception("looking for %s", self.aim.what)
+            self._stop.wait(max(REST_S, REST_SHARE * (time.monotonic() - began_s)))
+
+    def _look(self, aim: Aim) -> Sight | None:
+        frames = collect_stills(self._feed, CAPTURES, cancelled=self._stop.is_set, sensors={self._sensor})
+        sight = sight_of(average(frames[self._sensor]), aim)
+        return sight if aim is self.aim else None
+
+
+def belt_of(still: Still) -> SeenFlat | None:
+    """Return the belt of the first measurement, by which boards and balls are found."""
+    return see_belt(still)
+
+
+def share_seen(sight: Sight) -> float:
+    """Return the share of the picture that what was looked for covers."""
+    return 0.0 if sight.on is None else float(np.mean(sight.on))
