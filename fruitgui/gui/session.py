@@ -17,6 +17,7 @@ from fruitgui.gui.messages import Messages
 from fruitgui.gui.recorder import Recorder
 from fruitgui.gui.running import LinePlan, Running
 from fruitgui.gui.source_runner import SourceRunner
+from fruitgui.gui.steadiness import SensorsSteadiness
 from fruitgui.gui.tasks import TaskRunner
 from fruitgui.gui.theme.kinds import Looks
 from fruitgui.records.lot import LotPlan
@@ -56,6 +57,7 @@ class Session(QObject):
         store: lots, fruit and what was taught.
         running: the line and its lot.
         kinds: what each kind looks like and weighs.
+        steadiness: whether the sensors are warm, and their light is as it was.
         settings_changed, connection_changed, station_changed, projectors_changed: that file was saved.
         states_changed: a step may have another state now.
         taught_wanted: the taught fruit of a key is to be shown, on the screen where fruit get their kinds.
@@ -84,6 +86,7 @@ class Session(QObject):
         self.store = open_store(workspace.folder)
         self.recorder = Recorder(workspace.folder / RECORDINGS, self.connected, self.messages, self)
         self.running = Running(self.store, self.connected, self.tasks, self.messages, self)
+        self.steadiness = SensorsSteadiness(self.connected, self.running, self.messages, self)
         self.damages: list[Damage] = []
         self._lots = self.store.lots.find(LotQuery(count=0)).found
         self._taught = self.store.teaching.facts()
@@ -148,7 +151,13 @@ class Session(QObject):
 
     def close(self) -> bool:
         """End whatever runs, and let go of the files; an open lot stays open. Tell whether all ended in time."""
-        ended = [self.running.close(), self.recorder.close(), self.tasks.close(), not self.connected.stop()]
+        ended = [
+            self.running.close(),
+            self.recorder.close(),
+            self.tasks.close(),
+            not self.connected.stop(),
+            self.steadiness.close(),
+        ]
         self.store.close()
         return all(ended)
 

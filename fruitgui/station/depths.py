@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from datetime import datetime
 from typing import Annotated
 
-from pydantic import Field, FiniteFloat
+from pydantic import AwareDatetime, Field, FiniteFloat
 
 from fruitgui.calibration.depth.measured import DepthFit
 from fruitgui.sensors.depth_correction import DepthCorrection
@@ -33,7 +33,7 @@ class DeviceDepth(Written):
 
     Attributes:
         correction: None where a person took it away again.
-        measured_at: local time, ISO.
+        measured_at: when.
         covariance: (4, 4) of scale, offset_m, radial_2, radial_4.
         distance_m: of the belt when it was measured.
         depth_std_m: of a corrected depth at that distance.
@@ -41,7 +41,7 @@ class DeviceDepth(Written):
     """
 
     correction: CorrectionPart | None = None
-    measured_at: str = ""
+    measured_at: AwareDatetime | None = None
     covariance: Annotated[tuple[FourNumbers, ...], Field(min_length=4, max_length=4)] | None = None
     distance_m: FiniteFloat | None = None
     depth_std_m: FiniteFloat | None = None
@@ -78,7 +78,7 @@ def device_depth(fit: DepthFit, measured_at: datetime) -> DeviceDepth:
         correction=CorrectionPart(
             scale=told.scale, offset_m=told.offset_m, radial_2=told.radial_2, radial_4=told.radial_4
         ),
-        measured_at=measured_at.isoformat(timespec="seconds"),
+        measured_at=measured_at,
         covariance=tuple(tuple(float(one) for one in row) for row in fit.covariance),
         distance_m=fit.distance_m,
         depth_std_m=fit.depth_std_m,

@@ -28,8 +28,8 @@
         <translation>{sensor} ve dos superficies que podrían ser la cinta. Revise su cuadrícula en la pantalla “Cinta”.</translation>
     </message>
     <message>
-        <source>{one} sees distances {share} % longer than {other}: the depth of one of them is off. Correct it against something of known height.</source>
-        <translation>{one} ve distancias {share} % más largas que {other}: la profundidad de uno de ellos está corrida. Corríjala con algo de altura conocida.</translation>
+        <source>{one} sees distances {share} % longer than {other}: the depth of one of them is off. Correct it on the screen “Connect”.</source>
+        <translation>{one} ve distancias un {share} % más largas que {other}: la profundidad de uno de los dos no es correcta. Corríjala en la pantalla «Conectar».</translation>
     </message>
     <message>
         <source>{sensor} is placed to {place} mm and {angle}° only; more fruit in the common view would make it better.</source>

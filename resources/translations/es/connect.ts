@@ -494,8 +494,76 @@
         <translation>fija</translation>
     </message>
     <message>
+        <source>adjusting to the light</source>
+        <translation>ajustándose a la luz</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automática</translation>
+    </message>
+    <message>
+        <source>This sensor cannot lock them; colours may drift, so keep the light steady.</source>
+        <translation>Este sensor no puede fijarlas; los colores pueden variar, así que mantenga la luz constante.</translation>
+    </message>
+    <message>
         <source>as recorded</source>
         <translation>como se grabó</translation>
+    </message>
+    <message>
+        <source>steady for {time}</source>
+        <translation>estable desde hace {time}</translation>
+    </message>
+    <message>
+        <source>warming up, {rate} a minute</source>
+        <translation>calentándose, {rate} por minuto</translation>
+    </message>
+    <message>
+        <source>Wait until its depth is steady before you calibrate or correct it.</source>
+        <translation>Espere a que su profundidad sea estable antes de calibrarlo o corregirlo.</translation>
+    </message>
+    <message>
+        <source>watched for {time}</source>
+        <translation>en observación desde hace {time}</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>aún no se sabe</translation>
+    </message>
+    <message>
+        <source>Bring the light back, or start the sensors again so that they adjust to it.</source>
+        <translation>Restablezca la luz o reinicie los sensores para que se ajusten a ella.</translation>
+    </message>
+    <message>
+        <source>another colour than at first</source>
+        <translation>de otro color que al principio</translation>
+    </message>
+    <message>
+        <source>much brighter than at first</source>
+        <translation>mucho más clara que al principio</translation>
+    </message>
+    <message>
+        <source>much darker than at first</source>
+        <translation>mucho más oscura que al principio</translation>
+    </message>
+    <message>
+        <source>as at first</source>
+        <translation>como al principio</translation>
+    </message>
+    <message>
+        <source>not corrected</source>
+        <translation>sin corregir</translation>
+    </message>
+    <message>
+        <source>corrected</source>
+        <translation>corregida</translation>
+    </message>
+    <message>
+        <source>corrected, {half}</source>
+        <translation>corregida, {half}</translation>
+    </message>
+    <message>
+        <source>corrected, {half}, {day}</source>
+        <translation>corregida, {half}, {day}</translation>
     </message>
     <message>
         <source>not known</source>
@@ -617,6 +685,276 @@
     </message>
 </context>
 <context>
+    <name>Depth</name>
+    <message>
+        <source>Belt</source>
+        <translation>Cinta</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Bola</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>1.  Stop the belt and clear it.</source>
+        <translation>1.  Pare la cinta y despéjela.</translation>
+    </message>
+    <message>
+        <source>2.  Measure from the sensor&apos;s glass straight ahead to the belt, to the cross in the picture, and type it. Leave it at 0 if you have no tape.</source>
+        <translation>2.  Mida desde el cristal del sensor, en línea recta, hasta la cinta, donde está la cruz de la imagen, y escríbalo. Deje 0 si no tiene cinta métrica.</translation>
+    </message>
+    <message>
+        <source>1.  Put a carton or a box with a flat, dull lid amid the picture; the higher the better.</source>
+        <translation>1.  Ponga un cartón o una caja de tapa plana y mate en el centro de la imagen; cuanto más alta, mejor.</translation>
+    </message>
+    <message>
+        <source>2.  Measure the height of its upper side over the belt, and type it.</source>
+        <translation>2.  Mida la altura de su cara superior sobre la cinta y escríbala.</translation>
+    </message>
+    <message>
+        <source>1.  Put a dull ball on the bare belt amid the picture; a large one tells more.</source>
+        <translation>1.  Ponga una bola mate sobre la cinta vacía, en el centro de la imagen; una grande dice más.</translation>
+    </message>
+    <message>
+        <source>2.  Measure its diameter between two straight edges, and type it.</source>
+        <translation>2.  Mida su diámetro entre dos cantos rectos y escríbalo.</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Mirando…</translation>
+    </message>
+    <message>
+        <source>Something moves: stop the belt, and keep hands away.</source>
+        <translation>Algo se mueve: pare la cinta y retire las manos.</translation>
+    </message>
+    <message>
+        <source>No belt is seen yet.</source>
+        <translation>Aún no se ve la cinta.</translation>
+    </message>
+    <message>
+        <source>The belt is seen, about {length} away.</source>
+        <translation>Se ve la cinta, a unos {length}.</translation>
+    </message>
+    <message>
+        <source>No ball of {length} is seen yet.</source>
+        <translation>Aún no se ve ninguna bola de {length}.</translation>
+    </message>
+    <message>
+        <source>The ball is seen.</source>
+        <translation>Se ve la bola.</translation>
+    </message>
+    <message>
+        <source>No flat lid above the belt is seen yet.</source>
+        <translation>Aún no se ve ninguna tapa plana sobre la cinta.</translation>
+    </message>
+    <message>
+        <source>A lid is seen about {length} above the belt; that is not what is typed.</source>
+        <translation>Se ve una tapa a unos {length} sobre la cinta; no es lo que está escrito.</translation>
+    </message>
+    <message>
+        <source>The lid is seen, about {length} above the belt.</source>
+        <translation>Se ve la tapa, a unos {length} sobre la cinta.</translation>
+    </message>
+    <message>
+        <source>Distance of the belt</source>
+        <translation>Distancia de la cinta</translation>
+    </message>
+    <message>
+        <source>Height of the box</source>
+        <translation>Altura de la caja</translation>
+    </message>
+    <message>
+        <source>Diameter of the ball</source>
+        <translation>Diámetro de la bola</translation>
+    </message>
+    <message>
+        <source>Unevenness of the belt</source>
+        <translation>Irregularidad de la cinta</translation>
+    </message>
+    <message>
+        <source>Depth at the belt is now right to ±{after}; without a measurement such a sensor may be off by ±{before}.</source>
+        <translation>La profundidad en la cinta es ahora correcta a ±{after}; sin medirlo, un sensor así puede equivocarse en ±{before}.</translation>
+    </message>
+    <message>
+        <source>scale {value} ± {half} %</source>
+        <translation>escala {value} ± {half} %</translation>
+    </message>
+    <message>
+        <source>offset {value} ± {half} mm</source>
+        <translation>desplazamiento {value} ± {half} mm</translation>
+    </message>
+    <message>
+        <source>bend at the picture&apos;s edge {value} ± {half} %</source>
+        <translation>curvatura en el borde de la imagen {value} ± {half} %</translation>
+    </message>
+    <message>
+        <source>Without a tape or a large ball the offset stays unknown: heights are right, widths less.</source>
+        <translation>Sin cinta métrica ni bola grande, el desplazamiento queda sin conocer: las alturas son correctas; los anchos, menos.</translation>
+    </message>
+    <message>
+        <source>A higher box would tell the scale.</source>
+        <translation>Una caja más alta diría la escala.</translation>
+    </message>
+    <message>
+        <source>The belt fills too little of the picture to tell how it bends.</source>
+        <translation>La cinta ocupa muy poco de la imagen para saber cómo se curva.</translation>
+    </message>
+    <message>
+        <source>No belt was seen.</source>
+        <translation>No se vio la cinta.</translation>
+    </message>
+    <message>
+        <source>Let the sensor look at the bare belt from half a metre to two metres.</source>
+        <translation>Haga que el sensor mire la cinta vacía desde medio metro a dos metros.</translation>
+    </message>
+    <message>
+        <source>No flat lid was seen above the belt.</source>
+        <translation>No se vio ninguna tapa plana sobre la cinta.</translation>
+    </message>
+    <message>
+        <source>Use a flat, dull lid of at least 15 × 15 cm, level and amid the picture.</source>
+        <translation>Use una tapa plana y mate de al menos 15 × 15 cm, a nivel y en el centro de la imagen.</translation>
+    </message>
+    <message>
+        <source>No ball of the typed size was seen.</source>
+        <translation>No se vio ninguna bola del tamaño escrito.</translation>
+    </message>
+    <message>
+        <source>Put one dull ball on the bare belt amid the picture, and type its diameter.</source>
+        <translation>Ponga una bola mate sobre la cinta vacía, en el centro de la imagen, y escriba su diámetro.</translation>
+    </message>
+    <message>
+        <source>Belt or lid is not flat.</source>
+        <translation>La cinta o la tapa no es plana.</translation>
+    </message>
+    <message>
+        <source>Use a stiff board, or a place where the belt lies on its table.</source>
+        <translation>Use una tabla rígida, o un lugar donde la cinta se apoye en su mesa.</translation>
+    </message>
+    <message>
+        <source>Something moved while pictures were taken.</source>
+        <translation>Algo se movió mientras se tomaban imágenes.</translation>
+    </message>
+    <message>
+        <source>Stop the belt, and keep hands away.</source>
+        <translation>Pare la cinta y retire las manos.</translation>
+    </message>
+    <message>
+        <source>Sensor or belt was moved between two measurements.</source>
+        <translation>El sensor o la cinta se movió entre dos mediciones.</translation>
+    </message>
+    <message>
+        <source>Begin again with the bare belt.</source>
+        <translation>Empiece de nuevo con la cinta vacía.</translation>
+    </message>
+    <message>
+        <source>The box is not as high as was typed.</source>
+        <translation>La caja no tiene la altura escrita.</translation>
+    </message>
+    <message>
+        <source>Type the height of its upper side over the belt, in millimetres.</source>
+        <translation>Escriba la altura de su cara superior sobre la cinta, en milímetros.</translation>
+    </message>
+    <message>
+        <source>One height alone tells nothing.</source>
+        <translation>Una sola altura no dice nada.</translation>
+    </message>
+    <message>
+        <source>Take a box of known height, or a ball, as well.</source>
+        <translation>Tome también una caja de altura conocida o una bola.</translation>
+    </message>
+    <message>
+        <source>The heights are too small to tell more than is known of such devices.</source>
+        <translation>Las alturas son demasiado pequeñas para decir más de lo que se sabe de tales aparatos.</translation>
+    </message>
+    <message>
+        <source>Use a higher box, 15 cm or more, and a tape.</source>
+        <translation>Use una caja más alta, de 15 cm o más, y una cinta métrica.</translation>
+    </message>
+    <message>
+        <source>What was typed does not agree with the other measurements.</source>
+        <translation>Lo escrito no concuerda con las demás mediciones.</translation>
+    </message>
+    <message>
+        <source>Measure again; see that the ball lies on the belt itself and that the lid is level.</source>
+        <translation>Mida de nuevo; compruebe que la bola está sobre la propia cinta y que la tapa está a nivel.</translation>
+    </message>
+    <message>
+        <source>No working sensor errs as much as this would mean.</source>
+        <translation>Ningún sensor que funcione se equivoca tanto como esto supondría.</translation>
+    </message>
+    <message>
+        <source>Check what was typed, in millimetres.</source>
+        <translation>Compruebe lo escrito, en milímetros.</translation>
+    </message>
+    <message>
+        <source>Taking pictures: keep hands away</source>
+        <translation>Tomando imágenes: retire las manos</translation>
+    </message>
+    <message>
+        <source>Working out the correction</source>
+        <translation>Calculando la corrección</translation>
+    </message>
+</context>
+<context>
+    <name>DepthWizard</name>
+    <message>
+        <source>Keep hands away; it takes some seconds.</source>
+        <translation>Retire las manos; tarda unos segundos.</translation>
+    </message>
+    <message>
+        <source>Do as the picture shows, then press Take.</source>
+        <translation>Haga lo que muestra el dibujo y pulse Tomar.</translation>
+    </message>
+    <message>
+        <source>Keep it, and calibrate again: every length that this sensor measures changes with it.</source>
+        <translation>Guárdela y calibre de nuevo: toda longitud que mide este sensor cambia con ella.</translation>
+    </message>
+    <message>
+        <source>Do what is said, and measure again.</source>
+        <translation>Haga lo que se indica y mida de nuevo.</translation>
+    </message>
+    <message>
+        <source>Depth of {sensor}</source>
+        <translation>Profundidad de {sensor}</translation>
+    </message>
+    <message>
+        <source>This sensor still warms up: measured later it is measured better.</source>
+        <translation>Este sensor aún se calienta: más tarde se medirá mejor.</translation>
+    </message>
+    <message>
+        <source>Measuring depth</source>
+        <translation>Midiendo la profundidad</translation>
+    </message>
+    <message>
+        <source>Working out the correction</source>
+        <translation>Calculando la corrección</translation>
+    </message>
+    <message>
+        <source>The depth of {sensor} is corrected from now on.</source>
+        <translation>La profundidad de {sensor} se corrige desde ahora.</translation>
+    </message>
+    <message>
+        <source>The depth of {sensor} is used as the device gives it.</source>
+        <translation>La profundidad de {sensor} se usa tal como la da el aparato.</translation>
+    </message>
+    <message>
+        <source>Calibrate again.</source>
+        <translation>Calibre de nuevo.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished">Deshacer</translation>
+    </message>
+</context>
+<context>
     <name>Driver</name>
     <message>
         <source>The library for Kinects is not installed.</source>
@@ -719,6 +1057,33 @@
     </message>
 </context>
 <context>
+    <name>MeasurePanel</name>
+    <message>
+        <source>Depth of {sensor}</source>
+        <translation>Profundidad de {sensor}</translation>
+    </message>
+    <message>
+        <source>Less</source>
+        <translation>Menos</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <source>From the glass to the belt, straight ahead (0: not measured)</source>
+        <translation>Del cristal a la cinta, en línea recta (0: sin medir)</translation>
+    </message>
+    <message>
+        <source>Height of the lid over the belt</source>
+        <translation>Altura de la tapa sobre la cinta</translation>
+    </message>
+    <message>
+        <source>Diameter of the ball</source>
+        <translation>Diámetro de la bola</translation>
+    </message>
+</context>
+<context>
     <name>ProblemCard</name>
     <message>
         <source>This computer</source>
@@ -791,6 +1156,33 @@
     </message>
 </context>
 <context>
+    <name>ResultView</name>
+    <message>
+        <source>The depth of {sensor} can be corrected</source>
+        <translation>La profundidad de {sensor} puede corregirse</translation>
+    </message>
+    <message>
+        <source>This does not do yet: {sensor}</source>
+        <translation>Esto aún no basta: {sensor}</translation>
+    </message>
+    <message>
+        <source>Fitted: {terms}.</source>
+        <translation>Ajustado: {terms}.</translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation>escrito</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>antes</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>después</translation>
+    </message>
+</context>
+<context>
     <name>RulesDialog</name>
     <message>
         <source>Let everybody use the sensors</source>
@@ -848,6 +1240,14 @@
         <translation>Dejar fuera este sensor; conecte la fuente de nuevo para recuperarlo</translation>
     </message>
     <message>
+        <source>Correct its depth…</source>
+        <translation>Corregir su profundidad…</translation>
+    </message>
+    <message>
+        <source>Measure with a box, a tape and a ball how far this sensor&apos;s depth is off</source>
+        <translation>Medir con una caja, una cinta métrica y una bola cuánto se equivoca la profundidad de este sensor</translation>
+    </message>
+    <message>
         <source>Device</source>
         <translation>Equipo</translation>
     </message>
@@ -868,8 +1268,24 @@
         <translation>Exposición</translation>
     </message>
     <message>
+        <source>Light</source>
+        <translation>Luz</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
         <source>Whether exposure and white balance stay as they are</source>
         <translation>Si la exposición y el balance de blancos se mantienen</translation>
+    </message>
+    <message>
+        <source>The light on the belt, against what it was when the sensors started</source>
+        <translation>La luz en la cinta, comparada con la del inicio de los sensores</translation>
+    </message>
+    <message>
+        <source>Whether its depth still drifts, seen on the bare belt</source>
+        <translation>Si su profundidad aún varía, visto en la cinta vacía</translation>
     </message>
     <message>
         <source>Name of the sensor</source>
@@ -1010,6 +1426,65 @@
     <message>
         <source>Sensors that see the same place are never on together.</source>
         <translation>Los sensores que ven el mismo lugar nunca se encienden juntos.</translation>
+    </message>
+</context>
+<context>
+    <name>WizardActions</name>
+    <message>
+        <source>Take</source>
+        <translation>Tomar</translation>
+    </message>
+    <message>
+        <source>Take pictures of what lies there</source>
+        <translation>Tomar imágenes de lo que hay ahí</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Correct this sensor&apos;s depth so from now on</source>
+        <translation>Corregir así la profundidad de este sensor desde ahora</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Medir de nuevo</translation>
+    </message>
+    <message>
+        <source>Begin again with the bare belt</source>
+        <translation>Empezar de nuevo con la cinta vacía</translation>
+    </message>
+    <message>
+        <source>Another box</source>
+        <translation>Otra caja</translation>
+    </message>
+    <message>
+        <source>Take a box of another height as well</source>
+        <translation>Tomar también una caja de otra altura</translation>
+    </message>
+    <message>
+        <source>Without it</source>
+        <translation>Sin ella</translation>
+    </message>
+    <message>
+        <source>Go on without it</source>
+        <translation>Continuar sin ella</translation>
+    </message>
+    <message>
+        <source>Take correction away</source>
+        <translation>Quitar la corrección</translation>
+    </message>
+    <message>
+        <source>Use this sensor&apos;s depth as the device gives it</source>
+        <translation>Usar la profundidad de este sensor tal como la da el aparato</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished">Volver</translation>
+    </message>
+    <message>
+        <source>Back to the sensors; nothing is kept</source>
+        <translation>Volver a los sensores; no se guarda nada</translation>
     </message>
 </context>
 </TS>

@@ -354,6 +354,33 @@
     </message>
 </context>
 <context>
+    <name>Steadiness</name>
+    <message>
+        <source>The depth of {sensor} still drifts: it warms up.</source>
+        <translation>La profundidad de {sensor} todavía varía: se está calentando.</translation>
+    </message>
+    <message>
+        <source>Sizes are right once it is steady; the screen “Connect” says when.</source>
+        <translation>Los tamaños serán correctos cuando se estabilice; la pantalla «Conectar» dice cuándo.</translation>
+    </message>
+    <message>
+        <source>The colour of the light that {sensor} sees on the belt has changed.</source>
+        <translation>El color de la luz que {sensor} ve en la cinta ha cambiado.</translation>
+    </message>
+    <message>
+        <source>The belt is much brighter for {sensor} than at first.</source>
+        <translation>{sensor} ve la cinta mucho más clara que al principio.</translation>
+    </message>
+    <message>
+        <source>The belt is much darker for {sensor} than at first.</source>
+        <translation>{sensor} ve la cinta mucho más oscura que al principio.</translation>
+    </message>
+    <message>
+        <source>Kinds may be mistaken. Bring the light back, or start the sensors again so that they adjust to it.</source>
+        <translation>Los tipos pueden confundirse. Restablezca la luz o reinicie los sensores para que se ajusten a ella.</translation>
+    </message>
+</context>
+<context>
     <name>Steps</name>
     <message>
         <source>Connect</source>

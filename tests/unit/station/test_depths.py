@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
-from datetime import datetime
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -39,7 +39,8 @@ FIT = DepthFit(
     CORRECTION, ("scale", "offset_m", "radial_2"), np.diag([1e-6, 1e-5, 1e-6, 1e-3]), 1.02, 0.029, 0.0026,
     (Figure("height", 0.2, 0.198, 0.2001, 0.0003),), {},
 )  # fmt: skip
-MEASURED = device_depth(FIT, datetime(2026, 3, 4, 5, 6, 7))
+WHEN = datetime(2026, 3, 4, 5, 6, 7, tzinfo=UTC)
+MEASURED = device_depth(FIT, WHEN)
 
 
 def _station(name: str = "left", serial: str = "A1", correction: DepthCorrection | None = None) -> Station:
@@ -56,7 +57,7 @@ def test_a_measurement_is_kept_and_read_again(tmp_path: Path) -> None:
     known = kept.of("A1", "anything")
     assert known == MEASURED
     assert known.depth_correction() == CORRECTION
-    assert known.measured_at == "2026-03-04T05:06:07"
+    assert known.measured_at == WHEN
     assert known.figures[0].after_m == pytest.approx(0.2001)
 
 
@@ -154,4 +155,4 @@ def test_a_recording_stays_uncorrected_and_is_corrected_once_where_it_is_read(tm
 
 
 def replace_correction(correction: DepthCorrection) -> DeviceDepth:
-    return device_depth(replace(FIT, correction=correction), datetime(2026, 1, 1))
+    return device_depth(replace(FIT, correction=correction), WHEN)

@@ -24,8 +24,8 @@ def _patterns() -> Mapping[str, str]:
         ),
         r"Distances seen by (?P<one>\w+) are (?P<share>\S+) % longer than by (?P<other>\w+):.*": translate(
             "Calibrate",
-            "{one} sees distances {share} % longer than {other}: the depth of one of them is off. Correct it against "
-            "something of known height.",
+            "{one} sees distances {share} % longer than {other}: the depth of one of them is off. Correct it on the "
+            "screen “Connect”.",
         ),
         r"(?P<sensor>\w+) is placed to (?P<place>\S+) mm, (?P<angle>\S+)° only;.*": translate(
             "Calibrate",

@@ -20,15 +20,22 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label, set_health
 
-_KEYS = {"identify": "Ctrl+I", "reference": "Ctrl+R", "left": "Ctrl+Left", "right": "Ctrl+Right", "leave": "Ctrl+Del"}
-_ICONS = {"identify": "flash", "reference": "link", "left": "left", "right": "right", "leave": "delete"}
+_KEYS = {
+    "identify": "Ctrl+I", "reference": "Ctrl+R", "left": "Ctrl+Left", "right": "Ctrl+Right", "leave": "Ctrl+Del",
+    "depth": "Ctrl+D",
+}  # fmt: skip
+_ICONS = {
+    "identify": "flash", "reference": "link", "left": "left", "right": "right", "leave": "delete", "depth": "layers",
+}  # fmt: skip
+
+_FACTS = ("device", "serial", "rate", "lost", "colour", "light", "warmth", "correction")
 
 
 class SensorDetails(Card):
     """Shows one sensor and tells what a person wants done with it.
 
     Attributes:
-        renamed: the new name. moved: by how many places. identify, reference, leave: asked for.
+        renamed: the new name. moved: by how many places. identify, reference, leave, correct_depth: asked for.
     """
 
     renamed = Signal(str)
@@ -36,6 +43,7 @@ class SensorDetails(Card):
     identify = Signal()
     reference = Signal()
     leave = Signal()
+    correct_depth = Signal()
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__("", parent)
@@ -46,7 +54,7 @@ class SensorDetails(Card):
         self.name.setMaxLength(64)
         self._problem = label("", "small")
         self._condition, self._remedy = label("", "strong"), label("", "small")
-        self._heads = {part: label("", "dim") for part in ("device", "serial", "rate", "lost", "colour")}
+        self._heads = {part: label("", "dim") for part in _FACTS}
         self._facts = {part: label("") for part in self._heads}
         self._lock_remedy = label("", "small")
         self.buttons: dict[str, QPushButton | QToolButton] = {
@@ -55,6 +63,7 @@ class SensorDetails(Card):
             "left": QToolButton(),
             "right": QToolButton(),
             "leave": QToolButton(),
+            "depth": QPushButton(),
         }
         self._lay_out()
         self._connect()
@@ -72,18 +81,24 @@ class SensorDetails(Card):
             self.name.setText(view.name)
             self._check()
         self._show_condition(view.condition)
-        texts = {"device": view.device, "serial": view.serial, "rate": view.rate, "lost": view.lost}
+        texts = {
+            "device": view.device, "serial": view.serial, "rate": view.rate, "lost": view.lost,
+            "correction": view.correction,
+        }  # fmt: skip
         for part, text in texts.items():
             self._facts[part].setText(text)
-        self._facts["colour"].setText(view.colour.word)
-        set_health(self._facts["colour"], view.colour.health)
-        self._lock_remedy.setText(view.colour.remedy)
-        self._lock_remedy.setVisible(bool(view.colour.remedy))
+        for part, one in (("colour", view.colour), ("light", view.light), ("warmth", view.warmth)):
+            self._facts[part].setText(one.word)
+            set_health(self._facts[part], one.health)
+        remedies = dict.fromkeys(one.remedy for one in (view.colour, view.light, view.warmth) if one.remedy)
+        self._lock_remedy.setText("\n".join(remedies))
+        self._lock_remedy.setVisible(bool(remedies))
         self.name.setEnabled(not fixed)
         self.buttons["reference"].setEnabled(not view.reference and not fixed)
         self.buttons["left"].setEnabled(view.place > 1 and not fixed)
         self.buttons["right"].setEnabled(view.place <= len(others) and not fixed)
         self.buttons["leave"].setEnabled(bool(others) and not fixed)
+        self.buttons["depth"].setEnabled(view.condition.health in ("good", "warn") and not fixed)
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
@@ -128,6 +143,8 @@ class SensorDetails(Card):
         self.body.addLayout(wide)
         self.body.addSpacing(GRID // 2)
         self.body.addLayout(small)
+        self.body.addSpacing(GRID // 2)
+        self.body.addWidget(self.buttons["depth"])
         self.body.addStretch()
 
     def _connect(self) -> None:
@@ -136,6 +153,7 @@ class SensorDetails(Card):
         self.buttons["identify"].clicked.connect(self.identify)
         self.buttons["reference"].clicked.connect(self.reference)
         self.buttons["leave"].clicked.connect(self.leave)
+        self.buttons["depth"].clicked.connect(self.correct_depth)
         self.buttons["left"].clicked.connect(self._move_left)
         self.buttons["right"].clicked.connect(self._move_right)
         self._theme.changed.connect(self._draw_icons)
@@ -147,6 +165,10 @@ class SensorDetails(Card):
             "left": ("", self.tr("Move to the left")),
             "right": ("", self.tr("Move to the right")),
             "leave": ("", self.tr("Leave this sensor out; connect the source again to have it back")),
+            "depth": (
+                self.tr("Correct its depth…"),
+                self.tr("Measure with a box, a tape and a ball how far this sensor's depth is off"),
+            ),
         }
         for part, (text, tip) in texts.items():
             button = self.buttons[part]
@@ -160,10 +182,15 @@ class SensorDetails(Card):
             "rate": self.tr("Pictures"),
             "lost": self.tr("Lost"),
             "colour": self.tr("Exposure"),
+            "light": self.tr("Light"),
+            "warmth": self.tr("Depth"),
+            "correction": "",
         }
         for part, text in heads.items():
             self._heads[part].setText(text)
         self._facts["colour"].setToolTip(self.tr("Whether exposure and white balance stay as they are"))
+        self._facts["light"].setToolTip(self.tr("The light on the belt, against what it was when the sensors started"))
+        self._facts["warmth"].setToolTip(self.tr("Whether its depth still drifts, seen on the bare belt"))
         self.name.setAccessibleName(self.tr("Name of the sensor"))
         self.name.setToolTip(self.tr("Name of the sensor: letters, digits and _, beginning with a letter"))
 

@@ -12,8 +12,9 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QSizePolicy
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
 from fruitgui.gui.steps.connect.chooser import SourceChooser
+from fruitgui.gui.steps.connect.depth.wizard import DepthWizard
 from fruitgui.gui.steps.connect.details import SensorDetails
-from fruitgui.gui.steps.connect.presenter import SensorView, plan_of, sensor_views, summary
+from fruitgui.gui.steps.connect.presenter import SensorView, plan_of, sensor_views, summary, with_steadiness
 from fruitgui.gui.steps.connect.record_desk import RecordDesk
 from fruitgui.gui.steps.connect.tiles import SensorTiles
 from fruitgui.gui.steps.connect.turn_card import TurnCard
@@ -46,6 +47,7 @@ class ConnectPage(StepPage):
         self.chooser, self.tiles = SourceChooser(theme), SensorTiles(theme)
         self.details, self.turns = SensorDetails(theme), TurnCard(theme)
         self.recording = RecordDesk(session, theme, self)
+        self.depth_wizard = DepthWizard(session, theme)
         self._stack = QStackedWidget()
         self._look = QTimer(self, interval=LOOK_MS)
         self.connect_action, self.calibrate_action = QAction(self), QAction(self)
@@ -59,6 +61,7 @@ class ConnectPage(StepPage):
     def entered(self) -> None:
         """Draw and look for devices."""
         self._in_view = True
+        self.depth_wizard.wake()
         self._show()
 
     def left(self) -> None:
@@ -66,6 +69,7 @@ class ConnectPage(StepPage):
         self._in_view = False
         self.tiles.run(False)
         self._look.stop()
+        self.depth_wizard.rest()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
@@ -98,6 +102,7 @@ class ConnectPage(StepPage):
         row.addWidget(scroll)
         self._stack.addWidget(self.chooser)
         self._stack.addWidget(running)
+        self._stack.addWidget(self.depth_wizard)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         whole.addWidget(self._stack)
@@ -121,6 +126,9 @@ class ConnectPage(StepPage):
         self.details.identify.connect(self._identify)
         self.details.reference.connect(self._refer)
         self.details.leave.connect(self._leave_out)
+        self.details.correct_depth.connect(self._correct_depth)
+        self.depth_wizard.changed.connect(self._show_actions)
+        self.depth_wizard.left_it.connect(self._show)
         self._look.timeout.connect(self._look_for_devices)
         self.connect_action.triggered.connect(self._connect_source)
         self.change_action.triggered.connect(self._change_source)
@@ -156,7 +164,10 @@ class ConnectPage(StepPage):
         """Return the sensors as they are shown."""
         connected = self._session.connected
         infos = {} if connected.feed is None else connected.feed.infos
-        return sensor_views(self._session.connection, infos, connected.health, opening=self._session.source.opening)
+        connection, opening = self._session.connection, self._session.source.opening
+        kind = "" if connection is None else str(connection.source.get("kind", ""))
+        views = sensor_views(connection, infos, connected.health, opening=opening)
+        return with_steadiness(views, kind, self._session.steadiness.of, self._session.depths)
 
     def _show(self) -> None:
         choosing = self._choosing or self._session.connection is None
@@ -164,8 +175,11 @@ class ConnectPage(StepPage):
             if not self.chooser.rows:
                 self.chooser.show_found(self._session.source.sources.found())
             self.chooser.show_made(self.recording.made())
-        self._stack.setCurrentIndex(0 if choosing else 1)
-        self.tiles.run(self._in_view and not choosing)
+            if self.depth_wizard.course is not None:
+                self.depth_wizard.end()
+        measuring = self.depth_wizard.course is not None
+        self._stack.setCurrentIndex(0 if choosing else 2 if measuring else 1)
+        self.tiles.run(self._in_view and not choosing and not measuring)
         (self._look.start if self._in_view and choosing else self._look.stop)()
         if not choosing:
             self._show_sensors()
@@ -192,6 +206,10 @@ class ConnectPage(StepPage):
             back = () if self._session.connection is None else (self.back_action,)
             self.offer(self.connect_action, self.check_action, *back)
             self.say(self._chooser_hint())
+            return
+        if self.depth_wizard.course is not None:
+            self.offer(*self.depth_wizard.actions_now)
+            self.say(self.depth_wizard.hint)
             return
         running, count = summary(self.views())
         self.calibrate_action.setEnabled(running == count)
@@ -273,6 +291,10 @@ class ConnectPage(StepPage):
 
     def _identify(self) -> None:
         self.tiles.flash(self._chosen)
+
+    def _correct_depth(self) -> None:
+        self.depth_wizard.begin(self._chosen)
+        self._show()
 
     def _rename(self, name: str) -> None:
         connection = self._session.connection

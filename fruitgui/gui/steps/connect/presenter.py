@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
+from fruitgui.gui.steps.connect.steady_words import correction_text, light, warmth
 from fruitgui.gui.steps.connect.words import Condition, colour_lock, condition, lost_text, rate_text
 from fruitgui.sensors.feed import Feed, Running, SensorHealth
-from fruitgui.sensors.sensor import SensorInfo
+from fruitgui.sensors.sensor import ColorLock, SensorInfo
 from fruitgui.sensors.turns import Settling
 from fruitgui.station.connection import ConnectedSensor, Connection
+from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.station import Station
+from fruitgui.station.steadiness import Steadiness
 from fruitgui.station.turn_plan import TurnPlan, rig_of, seen_length_m, turn_plan
+
+NOT_KNOWN = Condition("", "–")
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +28,8 @@ class SensorView:
         device: make and model. serial: of the device; a dash where unknown.
         reference: whether the others are placed in its frame.
         condition: how it is. rate, lost: pictures a second and lost, in words.
-        colour: whether exposure and white balance are locked.
+        colour: whether exposure and white balance are locked. light: whether the belt's light is as at first.
+        warmth: whether its depth is steady. correction: of its depth, in words.
     """
 
     name: str
@@ -35,6 +41,9 @@ class SensorView:
     rate: str
     lost: str
     colour: Condition
+    light: Condition = NOT_KNOWN
+    warmth: Condition = NOT_KNOWN
+    correction: str = ""
 
 
 def sensor_views(
@@ -69,7 +78,22 @@ def _view(
         condition=condition(health) if not waiting else condition(_beginning(one.name)),
         rate=rate_text(health),
         lost=lost_text(health),
-        colour=colour_lock(kind),
+        colour=colour_lock(kind, ColorLock.UNKNOWN if health is None else health.color_lock),
+    )
+
+
+def with_steadiness(
+    views: tuple[SensorView, ...], kind: str, steady: Callable[[str], Steadiness], depths: DeviceDepths
+) -> tuple[SensorView, ...]:
+    """Return sensors with what the watch says of them, and with what was measured of their depth."""
+    return tuple(
+        replace(
+            view,
+            light=light(kind, steady(view.name)),
+            warmth=warmth(kind, steady(view.name).warmup),
+            correction=correction_text(depths.of(view.serial.replace("–", ""), view.name)),
+        )
+        for view in views
     )
 
 

@@ -14,6 +14,7 @@ from fruitgui.gui.shots import checkups
 from fruitgui.gui.shots.setting_up import SettingUp, setting_up, simulated_rig
 from fruitgui.gui.shots.stage import Scene, Stage
 from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
+from fruitgui.gui.steps.connect.depth.shots import SCENES as DEPTH
 from fruitgui.gui.steps.connect.offers import SIMULATED
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.steps.connect.rules_dialog import RulesDialog
@@ -171,4 +172,5 @@ SCENES: tuple[Scene, ...] = (
     Scene("connect-checkup-good", partial(_checkup, found=checkups.all_well)),
     Scene("connect-checkup-wrong", partial(_checkup, found=checkups.much_wrong)),
     Scene("connect-checkup-rules", _rules),
+    *DEPTH,
 )

@@ -10,6 +10,7 @@ from fruitgui.errors import FruitguiError
 from fruitgui.gui import error_words
 from fruitgui.gui.numbers import count_text, number_text
 from fruitgui.sensors.feed import Running, SensorHealth
+from fruitgui.sensors.sensor import ColorLock
 from fruitgui.station.station_file import SENSOR_ID
 
 translate = QCoreApplication.translate
@@ -123,12 +124,20 @@ def name_problem(name: str, others: tuple[str, ...]) -> str:
     return ""
 
 
-def colour_lock(kind: str) -> Condition:
-    """Return whether exposure and white balance stay as they are, as far as the kind of source tells."""
-    if kind == "simulated":
-        return Condition("good", translate("Connect", "locked"))
+def colour_lock(kind: str, lock: ColorLock) -> Condition:
+    """Return whether exposure and white balance stay as they are."""
     if kind == "recording":
         return Condition("", translate("Connect", "as recorded"))
+    if lock is ColorLock.LOCKED:
+        return Condition("good", translate("Connect", "locked"))
+    if lock is ColorLock.LOCKABLE:
+        return Condition("", translate("Connect", "adjusting to the light"))
+    if lock is ColorLock.AUTOMATIC:
+        return Condition(
+            "warn",
+            translate("Connect", "automatic"),
+            translate("Connect", "This sensor cannot lock them; colours may drift, so keep the light steady."),
+        )
     return Condition(
         "warn",
         translate("Connect", "not known"),

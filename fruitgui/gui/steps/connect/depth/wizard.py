@@ -1,0 +1,297 @@
+"""Leads a person through correcting one sensor's depth; what comes of it is kept only when they say so."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from PySide6.QtCore import QEvent, QTimer, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
+
+from fruitgui.calibration.warmup import Warmth
+from fruitgui.gui.messages import Level, Message
+from fruitgui.gui.session import Session
+from fruitgui.gui.steps.connect.depth.actions import WizardActions
+from fruitgui.gui.steps.connect.depth.course import Course, Stage, Typed
+from fruitgui.gui.steps.connect.depth.panel import MeasurePanel
+from fruitgui.gui.steps.connect.depth.result_view import ResultView
+from fruitgui.gui.steps.connect.depth.work import Taken, Worked, taking, working_out
+from fruitgui.gui.tasks import Task
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, Showing
+from fruitgui.station.depth_watch import Aim, DepthWatch, Looked
+from fruitgui.station.depths import DeviceDepth, DeviceDepths, device_depth
+
+DRAW_MS = 100
+LOOKED = {Stage.BELT: Looked.BELT, Stage.BOARD: Looked.BOARD, Stage.BALL: Looked.BALL}
+SHOWN = {Stage.BELT: Showing.EMPTY, Stage.BOARD: Showing.BOARD, Stage.BALL: Showing.BALL}
+
+
+class DepthWizard(QWidget):
+    """Belt, box, ball, result; at home in the screen where sensors are connected.
+
+    Attributes:
+        changed: other actions or another hint are to be shown.
+        left_it: the person goes back to the sensors.
+    """
+
+    changed = Signal()
+    left_it = Signal()
+
+    def __init__(self, session: Session, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._course: Course | None = None
+        self._watch: DepthWatch | None = None
+        self._task: Task[Taken] | Task[Worked] | None = None
+        self._showing: Showing | None = None
+        self._ready = False
+        self.panel, self.result = MeasurePanel(theme), ResultView(theme)
+        self._stack = QStackedWidget()
+        self._draw = QTimer(self, interval=DRAW_MS)
+        self.choices = WizardActions(self)
+        self._lay_out()
+        self._connect()
+
+    @property
+    def course(self) -> Course | None:
+        """How far it is; None while nothing is measured."""
+        return self._course
+
+    @property
+    def actions_now(self) -> tuple[QAction, ...]:
+        """The main action, then the others."""
+        course = self._course
+        return () if course is None else self.choices.at(course, corrected=self._corrected(course.sensor))
+
+    @property
+    def hint(self) -> str:
+        """What to do next."""
+        course = self._course
+        if self._task is not None:
+            return self.tr("Keep hands away; it takes some seconds.")
+        if course is None or course.stage is not Stage.RESULT:
+            return self.tr("Do as the picture shows, then press Take.")
+        if course.fit is not None:
+            return self.tr("Keep it, and calibrate again: every length that this sensor measures changes with it.")
+        return self.tr("Do what is said, and measure again.")
+
+    def begin(self, sensor: str) -> None:
+        """Begin to measure a sensor."""
+        self._end_watch()
+        self._course = Course(sensor)
+        rig = self._session.source.rig
+        if rig is not None:
+            self._showing = rig.showing
+            self.panel.show_typed(Typed(0.0, 1e3 * SHOWN_BOARD_M[2], 1e3 * SHOWN_BALL_M))
+        self.panel.preview.begin(self.tr("Depth of {sensor}").format(sensor=sensor))
+        self._show()
+
+    def rest(self) -> None:
+        """Draw and look at nothing: it is out of view."""
+        self._draw.stop()
+        self._end_watch()
+
+    def wake(self) -> None:
+        """Come into view."""
+        if self._course is not None:
+            self._show()
+
+    def end(self) -> None:
+        """Let go of everything that was measured."""
+        self.rest()
+        self._course = None
+        rig = self._session.source.rig
+        if rig is not None and self._showing is not None:
+            rig.show(self._showing)
+        self._showing = None
+        self.left_it.emit()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.choices.say_words()
+            self.result.draw()
+            if self._course is not None:
+                self._show()
+        super().changeEvent(event)
+
+    def _lay_out(self) -> None:
+        self._stack.addWidget(self.panel)
+        self._stack.addWidget(self.result)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._stack)
+
+    def _connect(self) -> None:
+        self._draw.timeout.connect(self._look)
+        self.panel.typed_changed.connect(self._aim)
+        self.choices.take.triggered.connect(self._take)
+        self.choices.skip.triggered.connect(self._skip)
+        self.choices.more.triggered.connect(lambda: self._go_to(Stage.BOARD))
+        self.choices.again.triggered.connect(self._begin_again)
+        self.choices.keep.triggered.connect(self._keep)
+        self.choices.remove.triggered.connect(self._remove)
+        self.choices.back.triggered.connect(self.end)
+
+    # what is shown
+
+    def _show(self) -> None:
+        course = self._course
+        if course is None:
+            return
+        measuring = course.stage is not Stage.RESULT
+        self._stack.setCurrentWidget(self.panel if measuring else self.result)
+        if measuring:
+            self.panel.show_stage(course)
+            self._show_what_is_needed(course.stage)
+            self._start_watch(course)
+        else:
+            self.rest()
+            if course.outcome is not None:
+                self.result.show_outcome(course.sensor, course.outcome)
+        self.changed.emit()
+
+    def _show_what_is_needed(self, stage: Stage) -> None:
+        rig = self._session.source.rig
+        if rig is not None and rig.showing is not SHOWN[stage]:
+            rig.show(SHOWN[stage])
+
+    def _look(self) -> None:
+        course, feed = self._course, self._session.connected.feed
+        if course is None or feed is None or course.sensor not in feed.infos:
+            self._ready = False
+            self.choices.take.setEnabled(False)
+            return
+        self.panel.show_frame(feed.newest(course.sensor))
+        told = self.panel.show_sight(None if self._watch is None else self._watch.newest)
+        self._ready = told.health == "good"
+        self.choices.take.setEnabled(self._ready and self._task is None)
+        warm = self._session.steadiness.of(course.sensor).warmup.state
+        self.panel.show_caution(
+            self.tr("This sensor still warms up: measured later it is measured better.")
+            if warm is Warmth.DRIFTING
+            else ""
+        )
+
+    # the look at the sensor
+
+    def _aim_of(self, course: Course) -> Aim:
+        typed = self.panel.typed
+        length_mm = {Stage.BOARD: typed.height_mm, Stage.BALL: typed.diameter_mm}.get(course.stage, 0.0)
+        return Aim(LOOKED.get(course.stage, Looked.BELT), length_mm * 1e-3, course.seen)
+
+    def _start_watch(self, course: Course) -> None:
+        feed = self._session.connected.feed
+        self._end_watch()
+        if feed is not None and course.sensor in feed.infos and self._task is None:
+            self._watch = DepthWatch(feed, course.sensor, self._aim_of(course))
+            self._watch.start()
+        self._look()
+        self._draw.start()
+
+    def _end_watch(self) -> None:
+        if self._watch is not None:
+            self._watch.stop()
+            self._watch = None
+
+    def _aim(self) -> None:
+        if self._course is not None and self._watch is not None:
+            self._watch.aim = self._aim_of(self._course)
+
+    # what is done
+
+    def _take(self) -> None:
+        course, feed = self._course, self._session.connected.feed
+        if course is None or feed is None or self._task is not None or not self._ready:
+            return
+        task = self._session.tasks.run(
+            self.tr("Measuring depth"), taking(feed, course.sensor, bare=course.stage is Stage.BELT)
+        )
+        self._task = task
+        task.succeeded.connect(self._took)
+        self._follow(task)
+
+    def _follow(self, task: Task[Taken] | Task[Worked]) -> None:
+        task.failed.connect(self._session.messages.error)
+        task.ended.connect(self._ended)
+        self._end_watch()
+        self.choices.take.setEnabled(False)
+        self.changed.emit()
+
+    def _took(self, taken: Taken) -> None:
+        if self._course is not None:
+            self._course = self._course.taken(taken.still, taken.belt, self.panel.typed)
+
+    def _ended(self) -> None:
+        self._task = None
+        course = self._course
+        if course is not None and course.stage is Stage.RESULT and course.outcome is None:
+            self._work_out(course)
+        else:
+            self._show()
+
+    def _work_out(self, course: Course) -> None:
+        measured = course.measurements()
+        if measured is not None:
+            task = self._session.tasks.run(self.tr("Working out the correction"), working_out(measured))
+            self._task = task
+            task.succeeded.connect(self._worked)
+            self._follow(task)
+
+    def _worked(self, worked: Worked) -> None:
+        if self._course is not None:
+            self._course = self._course.came_to(worked.outcome)
+
+    def _skip(self) -> None:
+        course = self._course
+        if course is None or self._task is not None:
+            return
+        if course.stage is Stage.BOARD and not course.balls:
+            self._go_to(Stage.BALL)
+        else:
+            self._course = course.at(Stage.RESULT)
+            self._work_out(self._course)
+
+    def _go_to(self, stage: Stage) -> None:
+        if self._course is not None and self._task is None:
+            self._course = self._course.at(stage)
+            self._show()
+
+    def _begin_again(self) -> None:
+        if self._course is not None and self._task is None:
+            self._course = Course(self._course.sensor)
+            self._show()
+
+    # what is kept
+
+    def _serial(self, sensor: str) -> str:
+        connection = self._session.connection
+        return "" if connection is None else connection.serials().get(sensor, "")
+
+    def _corrected(self, sensor: str) -> bool:
+        known = self._session.depths.of(self._serial(sensor), sensor)
+        return known is not None and known.correction is not None
+
+    def _keep(self) -> None:
+        course = self._course
+        if course is not None and course.fit is not None:
+            text = self.tr("The depth of {sensor} is corrected from now on.").format(sensor=course.sensor)
+            self._save(course.sensor, device_depth(course.fit, datetime.now().astimezone()), text)
+
+    def _remove(self) -> None:
+        course = self._course
+        if course is not None:
+            text = self.tr("The depth of {sensor} is used as the device gives it.").format(sensor=course.sensor)
+            self._save(course.sensor, DeviceDepth(), text)
+
+    def _save(self, sensor: str, device: DeviceDepth, text: str) -> None:
+        before = self._session.depths
+        self._session.save_depths(before.with_device(self._serial(sensor), sensor, device))
+        undo = lambda: self._restore(before)  # noqa: E731
+        remedy = self.tr("Calibrate again.") if self._session.station is not None else ""
+        self._session.messages.say(Message(Level.GOOD, text, remedy, action=self.tr("Undo"), act=undo))
+        self.end()
+
+    def _restore(self, depths: DeviceDepths) -> None:
+        self._session.save_depths(depths)

@@ -1,0 +1,183 @@
+"""What measuring a device's depth says, as whole sentences."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QCoreApplication
+
+from fruitgui.calibration.depth.measured import DepthFit, DepthReason, Figure
+from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.steps.connect.depth.course import Stage, Typed
+from fruitgui.gui.steps.connect.words import Condition
+from fruitgui.station.depth_watch import Looked, Sight
+
+translate = QCoreApplication.translate
+
+OFF_SHARE = 0.2
+"""A board that is read so far from what was typed is another, or a slip of the pen."""
+
+
+def mm(length_m: float, decimals: int = 0) -> str:
+    """Return a length in millimetres."""
+    return f"{number_text(length_m * 1e3, decimals)}{THIN}mm"
+
+
+def stage_name(stage: Stage) -> str:
+    """Return a stage's name."""
+    return {
+        Stage.BELT: translate("Depth", "Belt"),
+        Stage.BOARD: translate("Depth", "Box"),
+        Stage.BALL: translate("Depth", "Ball"),
+        Stage.RESULT: translate("Depth", "Result"),
+    }[stage]
+
+
+def rules(stage: Stage) -> tuple[str, ...]:
+    """Return what a person does at a stage."""
+    return {
+        Stage.BELT: (
+            translate("Depth", "1.  Stop the belt and clear it."),
+            translate(
+                "Depth",
+                "2.  Measure from the sensor's glass straight ahead to the belt, to the cross in the picture, and type "
+                "it. Leave it at 0 if you have no tape.",
+            ),
+        ),
+        Stage.BOARD: (
+            translate(
+                "Depth", "1.  Put a carton or a box with a flat, dull lid amid the picture; the higher the better."
+            ),
+            translate("Depth", "2.  Measure the height of its upper side over the belt, and type it."),
+        ),
+        Stage.BALL: (
+            translate("Depth", "1.  Put a dull ball on the bare belt amid the picture; a large one tells more."),
+            translate("Depth", "2.  Measure its diameter between two straight edges, and type it."),
+        ),
+        Stage.RESULT: (),
+    }[stage]
+
+
+def seen_text(sight: Sight | None, typed: Typed) -> Condition:
+    """Return what is seen now of what is looked for."""
+    if sight is None:
+        return Condition("", translate("Depth", "Looking…"))
+    if sight.moving:
+        return Condition("warn", translate("Depth", "Something moves: stop the belt, and keep hands away."))
+    if sight.what is Looked.BELT:
+        if sight.on is None:
+            return Condition("warn", translate("Depth", "No belt is seen yet."))
+        text = translate("Depth", "The belt is seen, about {length} away.")
+        return Condition("good", text.format(length=mm(sight.length_m)))
+    if sight.what is Looked.BOARD:
+        return _board_text(sight, typed)
+    if sight.on is None:
+        text = translate("Depth", "No ball of {length} is seen yet.")
+        return Condition("warn", text.format(length=mm(typed.diameter_mm * 1e-3)))
+    return Condition("good", translate("Depth", "The ball is seen."))
+
+
+def _board_text(sight: Sight, typed: Typed) -> Condition:
+    if sight.on is None:
+        return Condition("warn", translate("Depth", "No flat lid above the belt is seen yet."))
+    if abs(sight.length_m * 1e3 - typed.height_mm) > OFF_SHARE * typed.height_mm:
+        text = translate("Depth", "A lid is seen about {length} above the belt; that is not what is typed.")
+        return Condition("warn", text.format(length=mm(sight.length_m)))
+    text = translate("Depth", "The lid is seen, about {length} above the belt.")
+    return Condition("good", text.format(length=mm(sight.length_m)))
+
+
+def figure_name(figure: Figure) -> str:
+    """Return what a figure is of."""
+    return {
+        "distance": translate("Depth", "Distance of the belt"),
+        "height": translate("Depth", "Height of the box"),
+        "ball": translate("Depth", "Diameter of the ball"),
+        "flatness": translate("Depth", "Unevenness of the belt"),
+    }[figure.what]
+
+
+def verdict_text(fit: DepthFit) -> str:
+    """Return how sure depth is now."""
+    text = translate(
+        "Depth",
+        "Depth at the belt is now right to ±{after}; without a measurement such a sensor may be off by ±{before}.",
+    )
+    return text.format(after=mm(1.96 * fit.depth_std_m), before=mm(1.96 * fit.depth_std_before_m))
+
+
+def terms_text(fit: DepthFit) -> str:
+    """Return the terms that were fitted."""
+    told = fit.correction
+    parts = []
+    if "scale" in fit.decided:
+        value, half = (number_text(100.0 * one, 2) for one in (told.scale - 1.0, 1.96 * fit.std("scale")))
+        parts.append(translate("Depth", "scale {value} ± {half} %").format(value=value, half=half))
+    if "offset_m" in fit.decided:
+        value, half = (number_text(1e3 * one, 1) for one in (told.offset_m, 1.96 * fit.std("offset_m")))
+        parts.append(translate("Depth", "offset {value} ± {half} mm").format(value=value, half=half))
+    if "radial_2" in fit.decided:
+        value, half = (number_text(30.0 * one, 2) for one in (told.radial_2, 1.96 * fit.std("radial_2")))
+        parts.append(translate("Depth", "bend at the picture's edge {value} ± {half} %").format(value=value, half=half))
+    return "; ".join(parts)
+
+
+def missing_texts(fit: DepthFit) -> tuple[str, ...]:
+    """Return what would decide more."""
+    known = {
+        "distance": translate(
+            "Depth", "Without a tape or a large ball the offset stays unknown: heights are right, widths less."
+        ),
+        "height": translate("Depth", "A higher box would tell the scale."),
+        "wider": translate("Depth", "The belt fills too little of the picture to tell how it bends."),
+    }
+    return tuple(known[one] for one in fit.missing.values())
+
+
+def reason_words(reason: DepthReason) -> tuple[str, str]:
+    """Return what is wrong with the measurements, and what to do."""
+    known = {
+        "belt_not_seen": (
+            translate("Depth", "No belt was seen."),
+            translate("Depth", "Let the sensor look at the bare belt from half a metre to two metres."),
+        ),
+        "board_not_seen": (
+            translate("Depth", "No flat lid was seen above the belt."),
+            translate("Depth", "Use a flat, dull lid of at least 15 × 15 cm, level and amid the picture."),
+        ),
+        "ball_not_seen": (
+            translate("Depth", "No ball of the typed size was seen."),
+            translate("Depth", "Put one dull ball on the bare belt amid the picture, and type its diameter."),
+        ),
+        "not_flat": (
+            translate("Depth", "Belt or lid is not flat."),
+            translate("Depth", "Use a stiff board, or a place where the belt lies on its table."),
+        ),
+        "scene_moved": (
+            translate("Depth", "Something moved while pictures were taken."),
+            translate("Depth", "Stop the belt, and keep hands away."),
+        ),
+        "sensor_moved": (
+            translate("Depth", "Sensor or belt was moved between two measurements."),
+            translate("Depth", "Begin again with the bare belt."),
+        ),
+        "height_differs": (
+            translate("Depth", "The box is not as high as was typed."),
+            translate("Depth", "Type the height of its upper side over the belt, in millimetres."),
+        ),
+        "too_few_heights": (
+            translate("Depth", "One height alone tells nothing."),
+            translate("Depth", "Take a box of known height, or a ball, as well."),
+        ),
+        "nothing_decided": (
+            translate("Depth", "The heights are too small to tell more than is known of such devices."),
+            translate("Depth", "Use a higher box, 15 cm or more, and a tape."),
+        ),
+        "typed_disagrees": (
+            translate("Depth", "What was typed does not agree with the other measurements."),
+            translate("Depth", "Measure again; see that the ball lies on the belt itself and that the lid is level."),
+        ),
+        "implausible": (
+            translate("Depth", "No working sensor errs as much as this would mean."),
+            translate("Depth", "Check what was typed, in millimetres."),
+        ),
+    }
+    return known.get(reason.code, (reason.what, reason.remedy))
