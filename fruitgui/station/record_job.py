@@ -180,7 +180,9 @@ class _Recording:
             if arrival is None:
                 self._writer.flush()
             else:
-                self._first_s = arrival.arrived_s if self._first_s is None else self._first_s
+                if self._first_s is None:
+                    self._first_s = arrival.arrived_s
+                    self._writer.identify(tuple(self._feed.infos.values()))
                 self._last_s = arrival.arrived_s
                 self._writer.write(arrival.frame, round(arrival.arrived_s * 1e9) + self._wall_ns)
                 self._frames[arrival.frame.sensor] += 1

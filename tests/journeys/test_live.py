@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections import Counter
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -112,7 +113,11 @@ def test_a_recording_through_the_line_counts_what_running_it_counts(
 ) -> None:
     path, station = Path(stage.path("line.mcap")), tmp_path / "station.json"
     write_station(station, calibrated)
-    report = run_recording(RecordingSource(path), station, RunOptions())
+    shares: list[float] = []
+    report = run_recording(RecordingSource(path), station, RunOptions(), lambda share, _: shares.append(share))
+    assert shares == sorted(shares)
+    assert shares[0] == 0.0
+    assert shares[-1] > 0.7
     feed, sink = Feed(RecordedSource(path, speed=0.0).connect().sensors), MemorySink()
     run_to_the_end(feed, LiveLine(feed, calibrated, None, BufferedSink(sink), 1, FLAT_OUT))
     volumes_ml = sorted(counted.fruit.volume_m3.value * 1e6 for counted, _ in sink.kept)
@@ -144,3 +149,21 @@ def test_what_runs_can_be_recorded_and_played(calibrated: Station, tmp_path: Pat
     assert sensors == {name: sensor.serial for name, sensor in calibrated.sensors.items()}
     frames = [frame for _, frame in open_recording(path).frames()]
     assert len(frames) == sum(recorded.frames.values())
+
+
+def test_what_is_recorded_beside_the_running_line_is_what_it_saw(calibrated: Station, tmp_path: Path) -> None:
+    path, station = tmp_path / "beside.mcap", tmp_path / "station.json"
+    write_station(station, calibrated)
+    feed, sink = Feed(SimulatedSource(OPTIONS, flat_out=True).connect().sensors), MemorySink()
+    line = LiveLine(feed, calibrated, None, BufferedSink(sink), 1, FLAT_OUT)
+    waits = threading.Event()
+    with ThreadPoolExecutor(1) as beside:
+        recording = beside.submit(record_feed, feed, RecordPlan(path), lambda _: waits.set())
+        assert waits.wait(30.0)
+        run_to_the_end(feed, line)
+        recorded = recording.result(60.0)
+    assert recorded.ended is Ending.SENSORS_ENDED
+    assert not any(recorded.lost.values())
+    assert sum(recorded.frames.values()) == line.state.frames
+    report = run_recording(RecordingSource(path), station, RunOptions())
+    assert len(report["fruit"]) == len(sink.kept) == FRUIT

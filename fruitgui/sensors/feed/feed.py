@@ -37,7 +37,7 @@ class Feed:
         Raises:
             ValueError: two sensors have one name.
         """
-        self.infos: dict[str, SensorInfo] = {sensor.info.sensor: sensor.info for sensor in sensors}
+        self._sensors = tuple(sensors)
         if len(self.infos) != len(sensors):
             raise ValueError("two sensors have one name")
         self._schedule = turns(lights_of(self.infos.values()), None) if schedule is None else schedule
@@ -48,6 +48,12 @@ class Feed:
         self._subscriptions: tuple[Subscription, ...] = ()
         self._lock = threading.Lock()
         self._stopped = False
+
+    @property
+    def infos(self) -> dict[str, SensorInfo]:
+        """Who the sensors are, by name, in order; of some more is known once they were opened."""
+        infos = [sensor.info for sensor in self._sensors]
+        return {info.sensor: info for info in infos}
 
     @property
     def sensors(self) -> tuple[str, ...]:

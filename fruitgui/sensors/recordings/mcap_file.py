@@ -153,9 +153,7 @@ class McapFile:
             self._soundness.skip(str(error))
 
     def _chunk(self, file: BinaryIO, outer: Outer) -> Iterator[tuple[int, memoryview]]:
-        start = outer.start - RECORD_HEAD.size
-        known = next((chunk for chunk in self._contents.chunks if chunk.start == start), None)
-        times_ns = None if known is None else (known.first_ns, known.last_ns)
+        times_ns = None if outer.known is None else (outer.known.first_ns, outer.known.last_ns)
         try:
             head = chunk_head(file, outer)
             times_ns = times_ns or (head.first_ns, head.last_ns)
@@ -211,7 +209,7 @@ class McapFile:
             self._soundness.skip("the table of contents names a chunk that is not there")
             return
         self._bytes_read = max(start, self._bytes_read)
-        for inner, record in self._content(file, Outer(CHUNK, start, chunk.end - start)):
+        for inner, record in self._content(file, Outer(CHUNK, start, chunk.end - start, known=chunk)):
             if inner == MESSAGE and len(record) >= _MESSAGE_HEAD.size:
                 yield memoryview(bytes(record))
 

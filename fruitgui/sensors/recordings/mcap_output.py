@@ -44,24 +44,22 @@ class Definitions:
 
 
 class McapOutput:
-    """Writes a file's head, then chunks, then its table of contents.
+    """Writes a file's head (`begin`), then chunks, then its table of contents.
 
     Args:
         file: open for writing, empty, unbuffered: what was written is with the system.
-        definitions: of everything that will come.
 
     Raises:
         OSError: from every method, where the disk is full or gone; the file then ends with the last whole chunk.
     """
 
-    def __init__(self, file: io.FileIO, definitions: Definitions) -> None:
+    def __init__(self, file: io.FileIO) -> None:
         self._file = file
-        self._definitions = definitions
+        self._definitions = Definitions((), (), {})
         self._end = 0
         self._chunks: list[tuple[records.ChunkIndex, Mapping[int, int]]] = []
         self._metadata: list[records.MetadataIndex] = []
-        self._write(self._head())
-        self._contents_bytes = self._end + _CONTENTS_BYTES
+        self._contents_bytes = 0
 
     @property
     def size(self) -> int:
@@ -87,6 +85,18 @@ class McapOutput:
         chunks = [chunk for chunk, _ in self._chunks]
         first = min((chunk.message_start_time for chunk in chunks), default=0)
         return first, max((chunk.message_end_time for chunk in chunks), default=0)
+
+    @property
+    def begun(self) -> bool:
+        """Whether the head was written."""
+        return self._end > 0
+
+    def begin(self, definitions: Definitions) -> None:
+        """Write the head: the definitions of everything that will come."""
+        self._definitions = definitions
+        self._metadata = []
+        self._write(self._head())
+        self._contents_bytes = self._end + _CONTENTS_BYTES
 
     def append(self, chunk: Chunk) -> None:
         """Write a chunk, and where its messages stand in it."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import bisect
 from collections import Counter
 from collections.abc import Generator, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import BinaryIO
 
 from fruitgui.sensors.recordings.mcap_contents import ChunkPlace, Contents
@@ -39,12 +39,14 @@ class Outer:
         opcode: what it is.
         start: byte where its content begins. length: of the content.
         cut: the file ends within it; only chunks are given then.
+        known: what the table of contents says of it, where it is a chunk.
     """
 
     opcode: int
     start: int
     length: int
     cut: bool = False
+    known: ChunkPlace | None = None
 
 
 class McapWalk:
@@ -77,7 +79,7 @@ class McapWalk:
             elif record.opcode in (DATA_END, FOOTER):
                 return
             else:
-                yield record
+                yield record if record.opcode != CHUNK else replace(record, known=known)
                 position = record.start + record.length
                 if record.opcode == CHUNK:
                     self._sound_to = position

@@ -82,6 +82,11 @@ class SeriesWriter:
     def _writers(self) -> tuple[RecordingWriter, ...]:
         return (*self._finished, *(writer for writer, _ in self._finishing), self._part)
 
+    def identify(self, infos: Sequence[SensorInfo]) -> None:
+        """Say anew who the sensors are, as `RecordingWriter.identify`."""
+        self._infos = infos
+        self._part.identify(infos)
+
     def write(self, frame: Frame, log_time_ns: int | None = None) -> None:
         """Take a frame, as `RecordingWriter.write`."""
         came_ns = stamp_ns(frame.time_s) if log_time_ns is None else log_time_ns

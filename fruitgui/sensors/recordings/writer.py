@@ -74,16 +74,12 @@ class RecordingWriter:
         self._batch: list[Stamped] = []
         self._batch_began_s = 0.0
         self._making: deque[tuple[Future[Chunk], int]] = deque()
-        sensors = {info.sensor: info for info in infos}
-        self._channels = {(sensor, part): 1 + n for n, (sensor, part) in enumerate(_parts(sensors))}
+        self._infos = {info.sensor: info for info in infos}
+        self._about = dict(about or {})
+        self._channels = {(sensor, part): 1 + n for n, (sensor, part) in enumerate(_parts(self._infos))}
         self._file = PartFile(self.path)
+        self._output = McapOutput(self._file.raw)
         self._open = True
-        try:
-            definitions = _definitions(self._messages, self._channels, sensors.values(), about or {})
-            self._output = McapOutput(self._file.raw, definitions)
-        except OSError as error:
-            self.discard()
-            raise cannot_write(self.path, error) from error
 
     @property
     def bytes_written(self) -> int:
@@ -111,6 +107,10 @@ class RecordingWriter:
         """From the first frame in the file to the last, by the times at which they came."""
         first_ns, last_ns = self._output.times_ns
         return (last_ns - first_ns) * 1e-9
+
+    def identify(self, infos: Iterable[SensorInfo]) -> None:
+        """Say anew who the sensors are: more may be known once they run. Without effect once a frame is stored."""
+        self._infos |= {info.sensor: info for info in infos if info.sensor in self._infos}
 
     def write(self, frame: Frame, log_time_ns: int | None = None) -> None:
         """Take a frame; it is in the file within `CHUNK_S`, if `flush` is called in time.
@@ -156,10 +156,15 @@ class RecordingWriter:
     def _store(self) -> None:
         chunk = self._making.popleft()[0].result()
         try:
+            self._begin()
             self._output.append(chunk)
         except OSError as error:
             self._let_go()
             raise cannot_write(self.path, error) from error
+
+    def _begin(self) -> None:
+        if not self._output.begun:
+            self._output.begin(_definitions(self._messages, self._channels, self._infos.values(), self._about))
 
     def _let_go(self) -> None:
         """Forget what is not stored."""
@@ -195,6 +200,7 @@ class RecordingWriter:
             return
         self._let_go()
         try:
+            self._begin()
             self._output.finish()
             self._file.keep()
         except OSError as error:
