@@ -100,7 +100,7 @@ class StoreTrouble(QDialog):
             column.addWidget(widget)
         column.addStretch()
         column.addLayout(buttons)
-        self.setMinimumWidth(WIDTH)
+        self.resize(WIDTH, self.sizeHint().height())  # a least width would let it be narrower than its buttons
 
     def _say_words(self) -> None:
         self.setWindowTitle(self.tr("fruitgui: the records cannot be opened"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import importlib
+import re
 import string
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,9 +17,10 @@ import fruitgui
 from fruitgui.errors import FruitguiError, InputError, WorldError
 from fruitgui.gui.error_words import told, words
 from fruitgui.gui.health import warning_message
+from fruitgui.gui.help_window import manual_page
 from fruitgui.gui.messages import Level
 from fruitgui.gui.session import Session
-from fruitgui.gui.translate import Language
+from fruitgui.gui.translate import LANGUAGES, Language
 from fruitgui.records.told import _SAID
 from fruitgui.station.live.state import LiveWarning
 
@@ -111,7 +113,8 @@ def test_no_words_are_left_of_errors_that_are_gone() -> None:
     assert set(words()) - {site.code for site in SITES} == {"unexpected"}, "the window's own edge raises that one"
 
 
-def test_every_warning_of_the_running_line_has_words() -> None:
+def _warnings() -> set[str]:
+    """Return the codes of all that the running line warns of."""
     codes = set()
     for path in sorted((SOURCE / "station" / "live").rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
@@ -124,10 +127,27 @@ def test_every_warning_of_the_running_line_has_words() -> None:
                 case _:
                     pass
     assert len(codes) > 6
-    for code in codes:
+    return codes
+
+
+def test_every_warning_of_the_running_line_has_words() -> None:
+    for code in _warnings():
         assert warning_message(LiveWarning(code, "as the core says it", ("left_1",))).what != "as the core says it", (
             code
         )
+
+
+@pytest.mark.parametrize("name", sorted(LANGUAGES))
+def test_the_manual_tells_of_every_warning_in_the_windows_words(qapp: QApplication, name: str) -> None:
+    language = Language()
+    told = [phrase.split("…") for phrase in re.findall(r"\*([^*\n]+)\*", manual_page(name).read_text("utf-8"))]
+    language.put_on(qapp, name)
+    try:
+        said = {code: warning_message(LiveWarning(code, "", ("left_1",))).what for code in _warnings()}
+    finally:
+        language.put_on(qapp, "en")
+    for code, what in said.items():
+        assert any(all(part.strip() in what for part in parts) for parts in told if len("".join(parts)) > 12), code
 
 
 @pytest.mark.parametrize("code", sorted(words()))

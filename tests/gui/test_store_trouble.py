@@ -67,7 +67,9 @@ def test_what_is_damaged_is_named_and_the_last_good_backup_offered(dialog: Store
     assert dialog.restore.isVisible()
     assert dialog.restore.isDefault()
     assert dialog.restore.text().startswith("Restore the backup of 19 Feb 2025")
-    assert min(button.height() for button in (dialog.restore, dialog.anew, dialog.again, dialog.leave)) >= 40
+    buttons = (dialog.restore, dialog.anew, dialog.again, dialog.leave)
+    assert min(button.height() for button in buttons) >= 40
+    assert all(button.width() >= button.sizeHint().width() for button in buttons), "words are cut off"
 
 
 def test_restoring_goes_back_to_the_backup_and_keeps_what_was_damaged(

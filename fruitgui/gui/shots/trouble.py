@@ -44,7 +44,8 @@ def _error(folder: Path) -> FruitguiError:
         open_store(folder).close()
     except WorldError as error:
         place = str(Path("/data/packing/line_2"))
-        return WorldError(error.code, error.what.replace(str(folder), place), error.remedy, file=error.file)
+        what, file = (text.replace(str(folder), place) for text in (error.what, error.file or ""))
+        return WorldError(error.code, what, error.remedy, file=file)
     raise AssertionError("a damaged store was opened")
 
 

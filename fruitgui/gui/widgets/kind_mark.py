@@ -13,8 +13,17 @@ from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import FAMILY
 
 INK = QColor("#0b0e10")
-_CORNERS = {Shape.TRIANGLE: 3, Shape.SQUARE: 4, Shape.DIAMOND: 4, Shape.PENTAGON: 5, Shape.HEXAGON: 6}
+_CORNERS = {Shape.SQUARE: 4, Shape.DIAMOND: 4, Shape.PENTAGON: 5, Shape.HEXAGON: 6}
 _TURN = {Shape.SQUARE: math.pi / 4.0, Shape.HEXAGON: math.pi / 6.0}
+
+ONE, TWO = 0.5, 0.38
+"""Height of the letters in parts of the mark's side: one, two."""
+
+TAPERING, IN_TAPERING = (Shape.TRIANGLE, Shape.DIAMOND, Shape.STAR), 0.86
+"""Shapes that leave letters less room, and how much of their size is left."""
+
+LOW_IN_TRIANGLE = 0.155
+"""A triangle is wide below its middle only."""
 
 
 def paint_mark(painter: QPainter, place: QRectF, mark: KindMark) -> None:
@@ -31,11 +40,11 @@ def paint_mark(painter: QPainter, place: QRectF, mark: KindMark) -> None:
     painter.drawPath(_path(mark.shape, box.adjusted(side * 0.06, side * 0.06, -side * 0.06, -side * 0.06)))
     painter.setPen(colour if ring else INK)
     font = QFont(FAMILY)
-    narrow = mark.shape is Shape.TRIANGLE or len(mark.letters) > 1
-    font.setPixelSize(max(round(side * (0.36 if narrow else 0.46)), 6))
-    font.setWeight(QFont.Weight.DemiBold)
+    room = (ONE if len(mark.letters) == 1 else TWO) * (IN_TAPERING if mark.shape in TAPERING else 1.0)
+    font.setPixelSize(max(round(side * room), 6))
+    font.setWeight(QFont.Weight.Bold)
     painter.setFont(font)
-    low = side * 0.12 if mark.shape is Shape.TRIANGLE else 0.0
+    low = side * LOW_IN_TRIANGLE if mark.shape is Shape.TRIANGLE else 0.0
     painter.drawText(box.translated(0, low), Qt.AlignmentFlag.AlignCenter, mark.letters)
     painter.restore()
 
@@ -92,6 +101,9 @@ def _path(shape: Shape, box: QRectF) -> QPainterPath:
         third = box.width() / 3.0
         path.addRect(box.adjusted(third * 0.8, 0, -third * 0.8, 0))
         path.addRect(box.adjusted(0, third * 0.8, 0, -third * 0.8))
+    elif shape is Shape.TRIANGLE:
+        top = QPointF(box.center().x(), box.top())
+        path.addPolygon(QPolygonF([top, box.bottomRight(), box.bottomLeft()]))
     elif shape is Shape.STAR:
         path.addPolygon(_ring(box, 10, 0.0, 0.62))
     else:

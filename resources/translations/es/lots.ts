@@ -32,7 +32,7 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation>Clase</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Fruit of which kind are shown</source>
@@ -228,7 +228,7 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation>Clase</translation>
+        <translation>Tipo</translation>
     </message>
 </context>
 <context>
@@ -397,7 +397,7 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation>Clase</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Fruit</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Kinds by model {model}; frame of reference: sensor {sensor}.</source>
-        <translation>Clases según el modelo {model}; sistema de referencia: sensor {sensor}.</translation>
+        <translation>Tipos según el modelo {model}; sistema de referencia: sensor {sensor}.</translation>
     </message>
 </context>
 <context>
@@ -671,7 +671,7 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation>Clase</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Sure</source>

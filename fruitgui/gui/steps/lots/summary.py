@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 from fruitgui.gui.numbers import count_text
@@ -36,7 +36,9 @@ WIDEST = 1080
 
 FIGURE_WIDTH, NAME_WIDTH = 128, 130
 TIMES_HEIGHT, BAND = 36, 12
-SPREADS_HEIGHT = 220
+SPREADS_HEIGHT, LEAST_SPREADS_HEIGHT = 220, 176
+ROOMY = 560
+"""Pixels of height from which on there is room for words that a pointer's rest tells as well."""
 
 
 class KindTable(QWidget):
@@ -179,7 +181,7 @@ class Figure(QWidget):
 
 
 class Summary(QScrollArea):
-    """All of a lot at a glance; on a small screen the spread of sizes is further down."""
+    """All of a lot at a glance; a small screen leaves words out before it lets the spread of sizes go out of view."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -202,7 +204,7 @@ class Summary(QScrollArea):
         top.body.addWidget(self.kinds)
         bottom.body.addWidget(self.spreads, 1)
         bottom.body.addWidget(self.note)
-        bottom.setMinimumHeight(SPREADS_HEIGHT)
+        self._bottom = bottom
         inside = QWidget()
         inside.setProperty("role", "scrolled")
         self.setWidget(inside)
@@ -225,6 +227,14 @@ class Summary(QScrollArea):
     def show_spread(self, spread: Distribution) -> None:
         """Show how a measure is spread."""
         self.spreads.show_spread(spread, self._marks)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Use the room."""
+        super().resizeEvent(event)
+        roomy = self.viewport().height() >= ROOMY
+        for words in (self.when, self.note):
+            words.setVisible(roomy)
+        self._bottom.setMinimumHeight(SPREADS_HEIGHT if roomy else LEAST_SPREADS_HEIGHT)
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
@@ -252,3 +262,6 @@ class Summary(QScrollArea):
             "all have in common (the rig's scale, a kind's correction) are not in it."
         )
         self.note.setText(note)
+        for figure in (self.volume, self.mass):
+            figure.setToolTip(note)
+        self.fruit.setToolTip(self.when.text())
