@@ -5,11 +5,12 @@ import time
 from collections import Counter
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.benchmark import watches
-from fruitgui.gui.benchmark.heartbeat import Blame, Heartbeat
+from fruitgui.gui.benchmark.heartbeat import Blame, Blocks, Heartbeat
 from fruitgui.gui.benchmark.watches import Memory
 
 
@@ -42,24 +43,60 @@ def test_what_holds_the_window_up_is_measured_and_found(qtbot: QtBot) -> None:
     assert "_block" in blame.stop()
 
 
-def test_memory_that_grows_is_told_by_the_hour(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_the_window_worked_itself_is_told_apart_from_what_it_waited(qtbot: QtBot) -> None:
+    heart = Heartbeat()
+    heart.start()
+    qtbot.waitUntil(lambda: len(heart.take().late_ms) > 0)
+    time.sleep(0.2)  # as another program that has the core
+    slept: list[Blocks] = []
+
+    def beaten() -> bool:
+        slept.append(heart.take())
+        return len(slept[-1].late_ms) > 0
+
+    qtbot.waitUntil(beaten)
+    assert slept[-1].longest_ms >= 190.0
+    assert slept[-1].most_work_ms < 100.0
+    worked_s = time.thread_time()
+    while time.thread_time() - worked_s < 0.1:
+        pass
+    qtbot.waitUntil(beaten)
+    heart.stop()
+    assert slept[-1].most_work_ms > 95.0
+
+
+def test_a_figure_says_what_was_asked_and_marks_what_is_not_so() -> None:
+    late = Blocks(np.array([1.0, 70.0, 3.0]), np.array([1.0, 12.0, 3.0])).figure("live screen")
+    good = Blocks(np.array([1.0, 20.0]), np.array([1.0, 12.0])).figure("live screen")
+    assert late.met is False
+    assert good.met is True
+    line = late.line()
+    for part in ("! longest block, live screen", "<= 50 ms", " 70 ms", "own work 12 ms", "over 50 ms: 1 of 3"):
+        assert part in line
+    assert good.line().startswith("  longest block")
+
+
+def test_memory_that_grows_is_told_by_the_fruit(monkeypatch: pytest.MonkeyPatch) -> None:
     at = iter(range(100))
     monkeypatch.setattr(watches.time, "monotonic", lambda: 2.0 * next(at))
     held = iter(range(100, 200))
     monkeypatch.setattr(watches, "resident_mb", lambda: float(next(held)))
     memory = Memory()
-    for fruit in range(30):
+    for fruit in range(0, 300, 10):
         memory.look(fruit)
-    words = memory.words()
-    assert "110 MB, 129 MB" in words
-    assert "19 fruit" in words
-    assert "+1800 MB an hour" in words
+    grown, hours = memory.figures(fruit_per_hour=580.0)
+    assert grown.measured == "+100.00 MB"
+    assert grown.met is False
+    assert "110 MB, 129 MB after 0.6 minutes and 190 fruit" in grown.more
+    assert hours.measured == "0.50 hours"
 
 
 def test_memory_that_was_hardly_looked_at_says_nothing() -> None:
     memory = Memory()
     memory.look(0)
-    assert memory.words() == "looked at too few times"
+    (figure,) = memory.figures(fruit_per_hour=1.0)
+    assert figure.measured == "looked at too few times"
+    assert figure.met is None
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the system does not say")

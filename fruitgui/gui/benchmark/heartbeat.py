@@ -13,6 +13,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt, QTimer
 
 from fruitgui.frame import F64
+from fruitgui.gui.benchmark.figure import Figure
 
 BEAT_MS = 5
 LONG_MS = 50.0
@@ -24,14 +25,22 @@ class Blocks:
 
     Attributes:
         late_ms: (N,) beyond the beat itself, in order.
+        work_ms: (N,) what the thread itself worked since the beat before; the rest of a block it waited for a core or
+            for Python, which other threads or programs had.
     """
 
     late_ms: F64
+    work_ms: F64
 
     @property
     def longest_ms(self) -> float:
         """The longest that a key or a touch had to wait."""
         return float(self.late_ms.max(initial=0.0))
+
+    @property
+    def most_work_ms(self) -> float:
+        """The most that the thread worked at one go; on a machine with a free core, no block is much longer."""
+        return float(self.work_ms.max(initial=0.0))
 
     @property
     def over(self) -> int:
@@ -42,12 +51,14 @@ class Blocks:
         """Return the lateness that a share of the beats stays below."""
         return float(np.quantile(self.late_ms, share)) if len(self.late_ms) else 0.0
 
-    def words(self) -> str:
-        """Return them as one line."""
-        return (
-            f"longest {self.longest_ms:.1f} ms, 99.9 % {self.quantile_ms(0.999):.1f} ms, "
-            f"99 % {self.quantile_ms(0.99):.1f} ms, over {LONG_MS:.0f} ms: {self.over} of {len(self.late_ms)}"
+    def figure(self, when: str) -> Figure:
+        """Return them as a figure: the longest block, and what goes with it."""
+        more = (
+            f"own work {self.most_work_ms:.0f} ms; 99.9 % {self.quantile_ms(0.999):.0f} ms, "
+            f"99 % {self.quantile_ms(0.99):.0f} ms; over {LONG_MS:.0f} ms: {self.over} of {len(self.late_ms)}"
         )
+        met = self.longest_ms <= LONG_MS
+        return Figure(f"longest block, {when}", f"{self.longest_ms:.0f} ms", f"<= {LONG_MS:.0f} ms", met, more)
 
 
 class Heartbeat(QObject):
@@ -56,13 +67,15 @@ class Heartbeat(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._late_ms: list[float] = []
+        self._work_ms: list[float] = []
         self.last_s = time.perf_counter()
+        self._worked_s = 0.0
         self._timer = QTimer(self, interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._beat)
 
     def start(self) -> None:
         """Begin to beat."""
-        self.last_s = time.perf_counter()
+        self.last_s, self._worked_s = time.perf_counter(), time.thread_time()
         self._timer.start()
 
     def stop(self) -> None:
@@ -71,13 +84,15 @@ class Heartbeat(QObject):
 
     def take(self) -> Blocks:
         """Return what was noted since the last time."""
-        taken, self._late_ms = self._late_ms, []
-        return Blocks(np.array(taken))
+        late_ms, self._late_ms = self._late_ms, []
+        work_ms, self._work_ms = self._work_ms, []
+        return Blocks(np.array(late_ms), np.array(work_ms))
 
     def _beat(self) -> None:
-        now_s = time.perf_counter()
+        now_s, worked_s = time.perf_counter(), time.thread_time()
         self._late_ms.append((now_s - self.last_s) * 1e3 - BEAT_MS)
-        self.last_s = now_s
+        self._work_ms.append((worked_s - self._worked_s) * 1e3)
+        self.last_s, self._worked_s = now_s, worked_s
 
 
 class Blame:

@@ -11,6 +11,7 @@ from fruitgui.evaluation.demo_line import set_up_line
 from fruitgui.gui.running import LinePlan
 from fruitgui.gui.session import Session
 from fruitgui.records.lot import LotPlan
+from fruitgui.records.store import open_store
 from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.player import FlatOut, recorded_sensors
 from fruitgui.simulation.scenes import line_scene
@@ -20,7 +21,8 @@ from fruitgui.station.sources import RecordedSource
 from fruitgui.station.workspace import open_workspace
 
 SEED = 1
-FRUIT, SPEED_M_S = 40, 0.2
+FRUIT, SPEED_M_S, PER_METRE = 40, 0.2, 14.0
+FRUIT_PER_HOUR = 3600.0 * SPEED_M_S * PER_METRE
 RECORDING = "run.mcap"
 
 
@@ -39,13 +41,22 @@ def stage_in(folder: Path | None) -> Iterator[Path]:
 
 def _made(folder: Path) -> None:
     if (folder / RECORDING).exists():
+        _end_open_lot(folder)
         return
     workspace = open_workspace(folder)
     set_up_line(workspace, SEED)
     path = folder / RECORDING
-    record_simulation(line_scene(SEED + 4, FRUIT, SPEED_M_S, rig_seed=SEED), path)
+    record_simulation(line_scene(SEED + 4, FRUIT, SPEED_M_S, rig_seed=SEED, per_metre=PER_METRE), path)
     source = RecordedSource(path, looped=True)
     workspace.connection.save(connection_to(source.value(), source.connect().sensors))
+
+
+def _end_open_lot(folder: Path) -> None:
+    """End the lot that the last run left open when its window was closed in the middle of it."""
+    with open_store(folder) as store:
+        lot = store.lots.open_lot()
+        if lot is not None:
+            store.lots.end(lot.key)
 
 
 def start_flat_out(session: Session, folder: Path) -> None:

@@ -5,16 +5,20 @@ from __future__ import annotations
 import sys
 import time
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject
 
+from fruitgui.gui.benchmark.figure import Figure
 from fruitgui.gui.widgets.sensor_picture import SensorPicture
 
 EVERY_S = 1.0
 MB = 1e6
+MOST_MB = 1.0
+"""For a thousand fruit more, in the long run: a day of them is then a quarter of a gigabyte at most."""
 
 
 class PictureCount(QObject):
@@ -65,19 +69,29 @@ class Memory:
         if not self._held or now_s - self._held[-1].time_s >= EVERY_S:
             self._held.append(Held(now_s, fruit, resident_mb(), sys.getallocatedblocks()))
 
-    def words(self) -> str:
-        """Return how it grew, as one line; the first third is left out, in which caches fill."""
+    def figures(self, fruit_per_hour: float) -> Iterator[Figure]:
+        """Give how it grew; the first third is left out, in which caches fill.
+
+        Args:
+            fruit_per_hour: that the line's belt brings, to say how long all that was counted takes it.
+        """
         held = self._held[len(self._held) // 3 :]
-        if len(held) < 3:
-            return "looked at too few times"
-        time_s = np.array([one.time_s for one in held])
+        if len(held) < 3 or held[-1].fruit <= held[0].fruit:
+            yield Figure("memory", "looked at too few times")
+            return
+        fruit = np.array([one.fruit for one in held]) - held[0].fruit
         resident_mb, blocks = (np.array([getattr(one, name) for one in held]) for name in ("resident_mb", "blocks"))
-        by_second, by_block = (float(np.polyfit(time_s - time_s[0], y, 1)[0]) for y in (resident_mb, blocks))
-        fruit, took_s = held[-1].fruit - held[0].fruit, float(time_s[-1] - time_s[0])
-        return (
-            f"{resident_mb[0]:.0f} MB, {resident_mb[-1]:.0f} MB after {took_s / 60:.1f} minutes and {fruit} fruit; "
-            f"{by_second * 3600:+.0f} MB an hour at this pace, {by_block * 3600:+.0f} blocks an hour"
+        by_mb, by_block = (1000.0 * float(np.polyfit(fruit, y, 1)[0]) for y in (resident_mb, blocks))
+        took_min = (held[-1].time_s - held[0].time_s) / 60.0
+        more = (
+            f"{resident_mb[0]:.0f} MB, {resident_mb[-1]:.0f} MB after {took_min:.1f} minutes and {fruit[-1]} fruit; "
+            f"most {resident_mb.max():.0f} MB; {by_block:+.0f} blocks of Python's"
         )
+        asked = f"<= {MOST_MB:+.0f} MB"
+        yield Figure("memory for 1000 fruit more", f"{by_mb:+.2f} MB", asked, by_mb <= MOST_MB, more)
+        counted = self._held[-1].fruit - self._held[0].fruit
+        more = f"{counted} fruit; this belt brings {fruit_per_hour:.0f} an hour"
+        yield Figure("belt's time that was counted", f"{counted / fruit_per_hour:.2f} hours", "", None, more)
 
 
 def resident_mb() -> float:
