@@ -26,6 +26,7 @@ class ActionButton(QPushButton):
         self._action = action
         self._theme = theme
         self._main = main
+        self._drawn: tuple[str, str, str] | None = None
         self.setProperty("role", "main" if main else "plain")
         self.clicked.connect(action.trigger)
         action.changed.connect(self._follow)
@@ -33,7 +34,7 @@ class ActionButton(QPushButton):
         self._follow()
 
     def _follow(self) -> None:
-        action, theme = self._action, self._theme
+        action = self._action
         self.setText(action.text())
         self.setEnabled(action.isEnabled())
         self.setVisible(action.isVisible())
@@ -41,10 +42,15 @@ class ActionButton(QPushButton):
         tip = action.toolTip() or action.text()
         self.setToolTip(f"{tip} ({key})" if key else tip)
         self.setAccessibleName(action.text())
-        name = str(action.property("drawing") or "")
-        if name:
-            shown = theme.colour("on_accent" if self._main else "text")
-            self.setIcon(icons.icon(name, shown, theme.colour("text_dim")))
+        self._draw(str(action.property("drawing") or ""))
+
+    def _draw(self, name: str) -> None:
+        """Show a drawing, made anew only where it would look different: an action changes often, its drawing hardly."""
+        shown, dim = self._theme.colour("on_accent" if self._main else "text"), self._theme.colour("text_dim")
+        drawn = (name, shown.name(), dim.name())
+        if name and drawn != self._drawn:
+            self._drawn = drawn
+            self.setIcon(icons.icon(name, shown, dim))
             self.setIconSize(QSize(20, 20))
 
 

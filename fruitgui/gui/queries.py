@@ -17,6 +17,8 @@ from fruitgui.gui.tasks import unexpected_error
 T = TypeVar("T")
 
 LOOK_MS = 10
+LINGER_S = 0.3
+"""A thread with nothing to do waits so long for more: to begin one costs the window more than most questions do."""
 
 log = logging.getLogger(__name__)
 
@@ -30,6 +32,65 @@ class _Asked:
     answer: Callable[[Any], None]
     result: Any = None
     error: FruitguiError | None = None
+
+
+class _Work:
+    """What is asked and what is answered, and the thread between them; knows no window."""
+
+    def __init__(self) -> None:
+        self._more = threading.Condition()
+        self.changes: deque[_Asked] = deque()
+        self.questions: deque[_Asked] = deque()
+        self.patient: deque[_Asked] = deque()
+        self._done: deque[_Asked] = deque()
+        self._running = self._in_hand = False
+
+    @property
+    def open(self) -> bool:
+        """Whether something was put here and not taken away answered."""
+        with self._more:
+            return self._in_hand or bool(self._waiting() or self._done)
+
+    def put(self, queue: deque[_Asked], asked: _Asked, instead_of: _Asked | None = None) -> None:
+        """Put something into one of the queues, in the place of what waits there still."""
+        with self._more:
+            if instead_of is not None and instead_of in queue:
+                queue.remove(instead_of)
+            queue.append(asked)
+            start, self._running = not self._running, True
+            self._more.notify()
+        if start:
+            threading.Thread(target=self._run, name="queries").start()
+
+    def forget_questions(self) -> None:
+        """Let go of all that are not asked yet."""
+        with self._more:
+            self.questions.clear()
+            self.patient.clear()
+
+    def take_answered(self) -> _Asked | None:
+        """Return the next that is answered; None where there is none."""
+        with self._more:
+            return self._done.popleft() if self._done else None
+
+    def _waiting(self) -> deque[_Asked]:
+        return self.changes or self.questions or self.patient
+
+    def _run(self) -> None:
+        while (asked := self._next()) is not None:
+            _answer(asked)
+            with self._more:
+                self._in_hand = False
+                self._done.append(asked)
+            del asked  # its answer belongs to a widget, which must not be freed on this thread
+
+    def _next(self) -> _Asked | None:
+        with self._more:
+            if not self._more.wait_for(self._waiting, LINGER_S):
+                self._running = False
+                return None
+            self._in_hand = True
+            return self._waiting().popleft()
 
 
 class Queries(QObject):
@@ -48,84 +109,52 @@ class Queries(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._lock = threading.Lock()
-        self._changes: deque[_Asked] = deque()
-        self._questions: deque[_Asked] = deque()
-        self._patient: deque[_Asked] = deque()
-        self._done: deque[_Asked] = deque()
+        self._work = _Work()
         self._newest: dict[str, _Asked] = {}
-        self._working = False
         self._look = QTimer(self, interval=LOOK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._look.timeout.connect(self._tell)
 
     @property
     def busy(self) -> bool:
         """Whether something was asked and not answered yet."""
-        with self._lock:
-            return self._working or bool(self._changes or self._questions or self._patient or self._done)
+        return self._work.open
 
     def ask(self, name: str, question: Callable[[], T], answer: Callable[[T], None]) -> None:
         """Ask for what `question` returns; an older one of the same name is forgotten."""
-        self._ask(self._questions, _Asked(name, question, answer))
+        self._ask(self._work.questions, _Asked(name, question, answer))
 
     def ask_later(self, name: str, question: Callable[[], T], answer: Callable[[T], None]) -> None:
         """Ask for what takes longer, when nothing else is to be done; see `ask`."""
-        self._ask(self._patient, _Asked(name, question, answer))
+        self._ask(self._work.patient, _Asked(name, question, answer))
 
     def change(self, change: Callable[[], T], done: Callable[[T], None]) -> None:
         """Do what changes the store, before any question that waits; it is never dropped."""
-        self._put(self._changes, _Asked("", change, done))
+        self._put(self._work.changes, _Asked("", change, done))
 
     def rest(self) -> None:
         """Forget all questions; changes are made nonetheless."""
         self._newest.clear()
-        with self._lock:
-            self._questions.clear()
-            self._patient.clear()
+        self._work.forget_questions()
 
     def _ask(self, queue: deque[_Asked], asked: _Asked) -> None:
         before = self._newest.get(asked.name)
         self._newest[asked.name] = asked
-        with self._lock:
-            if before is not None and before in queue:
-                queue.remove(before)
-        self._put(queue, asked)
+        self._put(queue, asked, before)
 
-    def _put(self, queue: deque[_Asked], asked: _Asked) -> None:
-        with self._lock:
-            queue.append(asked)
-            start, self._working = not self._working, True
-        if start:
-            threading.Thread(target=self._work, name="queries").start()
+    def _put(self, queue: deque[_Asked], asked: _Asked, before: _Asked | None = None) -> None:
+        self._work.put(queue, asked, before)
         self._look.start()
 
-    def _work(self) -> None:
-        while True:
-            with self._lock:
-                queue = self._changes or self._questions or self._patient
-                if not queue:
-                    self._working = False
-                    return
-                asked = queue.popleft()
-            _answer(asked)
-            with self._lock:
-                self._done.append(asked)
-            del asked  # its answer belongs to a widget, which must not be freed on this thread
-
     def _tell(self) -> None:
-        while True:
-            with self._lock:
-                if not self._done:
-                    if not self._working:
-                        self._look.stop()
-                    return
-                asked = self._done.popleft()
+        while (asked := self._work.take_answered()) is not None:
             if asked.name and self._newest.get(asked.name) is not asked:
                 continue
             if asked.error is not None:
                 self.failed.emit(asked.error)
             else:
                 asked.answer(asked.result)
+        if not self._work.open:
+            self._look.stop()
 
 
 def _answer(asked: _Asked) -> None:

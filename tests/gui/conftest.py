@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import os
 import threading
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,6 +19,8 @@ from pytestqt.qtbot import QtBot
 from fruitgui.gui.session import Session
 from fruitgui.gui.theme.theme import Theme, load_fonts
 from fruitgui.station.workspace import open_workspace
+
+END_S = 20.0
 
 
 @pytest.fixture(scope="session")
@@ -42,6 +45,14 @@ def session(qtbot: QtBot, tmp_path: Path) -> Iterator[Session]:
     made.deleteLater()
 
 
+def _left(before: set[threading.Thread]) -> list[str]:
+    """Return the names of threads that are new and do not end, though they are given time to."""
+    until_s = time.monotonic() + END_S
+    while (left := set(threading.enumerate()) - before) and time.monotonic() < until_s:
+        next(iter(left)).join(0.1)
+    return sorted(thread.name for thread in left)
+
+
 @pytest.fixture(autouse=True)
 def nothing_left(qapp: QApplication) -> Iterator[None]:
     """Fail a test that leaves a window or a thread behind."""
@@ -50,7 +61,6 @@ def nothing_left(qapp: QApplication) -> Iterator[None]:
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     gc.collect()
     QCoreApplication.processEvents()
-    left = [thread.name for thread in threading.enumerate() if thread not in threads and thread.is_alive()]
-    assert not left, f"threads are left: {left}"
+    assert not (left := _left(threads)), f"threads are left: {left}"
     shown = [one for one in qapp.topLevelWidgets() if id(one) not in windows and one.isVisible()]
     assert not shown, f"windows are left: {shown}"

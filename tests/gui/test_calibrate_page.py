@@ -6,16 +6,20 @@ import threading
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QAbstractButton
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_sources
 from fruitgui.gui.steps.calibrate.cloud import Side
+from fruitgui.gui.steps.calibrate.flat_cloud import FlatCloud
 from fruitgui.gui.steps.calibrate.page import CalibratePage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.simulation.scenes import still_scene
+from fruitgui.station.fused_cloud import SensorCloud
 from fruitgui.station.workflow import State, Step
 from fruitgui.station.workspace import open_workspace
 
@@ -108,13 +112,34 @@ def test_calibrating_shows_how_good_it_is_and_is_kept_only_when_told(
     assert page.result.word.text() in ("Good", "Usable")
 
 
+def test_the_cloud_is_drawn_beside_the_window_and_what_was_shown_stays_meanwhile(qtbot: QtBot, theme: Theme) -> None:
+    flat = FlatCloud(theme)
+    qtbot.addWidget(flat)
+    flat.resize(400, 300)
+    flat.show()
+    bare = flat.grab().toImage()
+    asked, points_m = [], np.random.default_rng(1).uniform(-0.4, 0.4, (3000, 3)).astype(np.float32)
+    cloud = SensorCloud("a", points_m * np.float32(0.3), points_m, np.zeros((3000, 3), np.uint8))
+    flat.show_clouds([cloud])
+    after = _drawn(qtbot, flat)
+    assert after != bare
+    gate = threading.Event()
+    flat.queries.ask("held up", lambda: asked.append(gate.wait(LONG_MS / 1e3)), lambda _: None)
+    flat.look(Side.TOP, after=False)
+    assert flat.grab().toImage() == after, "nothing flickers while the other picture is made"
+    assert not flat.drawn
+    gate.set()
+    assert _drawn(qtbot, flat) not in (bare, after)
+    assert asked == [True]
+
+
 def test_before_after_side_and_fade_change_the_picture(
     qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource
 ) -> None:
     _connect(qtbot, rigged, rig)
     _calibrate(qtbot, rigged, page)
     cloud = page.result.cloud
-    pictures = [cloud.flat.grab().toImage()]
+    pictures = [_drawn(qtbot, cloud.flat)]
     for change in (
         cloud.when[False].click,
         cloud.when[True].click,
@@ -123,7 +148,7 @@ def test_before_after_side_and_fade_change_the_picture(
         lambda: cloud.fade.setValue(cloud.fade.maximum()),
     ):
         change()
-        pictures.append(cloud.flat.grab().toImage())
+        pictures.append(_drawn(qtbot, cloud.flat))
     assert pictures[0] == pictures[2]
     assert all(pictures[one] != pictures[one + 1] for one in range(len(pictures) - 1))
     assert not cloud.all.isChecked(), "who slides wants to see one or two, not all"
@@ -207,3 +232,10 @@ def test_everything_that_is_pressed_is_large_enough_for_a_glove(
     shown = [one for one in page.findChildren(QAbstractButton) if one.isVisible()]
     assert [one.accessibleName() for one in shown if min(one.height(), one.width()) < 40] == []
     assert all(one.accessibleName() for one in shown)
+
+
+def _drawn(qtbot: QtBot, flat: FlatCloud) -> QImage:
+    """Return how it looks, once what it misses is made."""
+    flat.grab()
+    qtbot.waitUntil(lambda: flat.drawn, timeout=LONG_MS)
+    return flat.grab().toImage()

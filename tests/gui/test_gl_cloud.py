@@ -26,6 +26,8 @@ clouds = [SensorCloud(name, flat, flat, np.zeros((4000, 3), np.uint8)) for name 
 view.show_clouds(clouds, compared=True)
 
 def lit():
+    while not view.drawn:
+        app.processEvents()
     app.processEvents()
     image = view.solid.view.grabFramebuffer()
     places = [(u, v) for u in range(0, image.width(), 3) for v in range(0, image.height(), 3)]

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QDeadlineTimer, QEventLoop
 from PySide6.QtWidgets import QApplication, QWidget
 
+from fruitgui.gui.queries import Queries
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.translate import Language
 
@@ -64,6 +66,12 @@ class Stage:
             QCoreApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents, 50)
 
 
+def _drawn(widget: QWidget) -> bool:
+    """Tell whether all that is made beside the window for what a widget shows is there."""
+    widget.grab()  # what is painted asks for what it misses
+    return not any(one.busy for one in widget.findChildren(Queries))
+
+
 def taken(stage: Stage, scene: Scene, sizes: tuple[str, ...], themes: tuple[str, ...], languages: tuple[str, ...],
           out: Path) -> Iterator[Path]:  # fmt: skip
     """Take a scene in every size, theme and language; yield the files."""
@@ -75,6 +83,7 @@ def taken(stage: Stage, scene: Scene, sizes: tuple[str, ...], themes: tuple[str,
                 for size in sizes:
                     widget.resize(*SIZES[size])
                     stage.settle()
+                    stage.wait_until(partial(_drawn, widget))
                     path = out / f"{scene.name}-{size}-{theme}-{language}.png"
                     widget.grab().save(str(path))
                     yield path

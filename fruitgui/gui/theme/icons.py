@@ -11,7 +11,8 @@ from PySide6.QtSvg import QSvgRenderer
 from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.resources import folder
 
-SIZES_PX = (16, 20, 24, 32, 48, 64, 96)
+SIZES_PX = (20, 24, 40, 48)
+"""Of icons on buttons, on usual screens and on those with twice as many pixels."""
 
 
 def icon(name: str, colour: QColor, disabled: QColor | None = None) -> QIcon:

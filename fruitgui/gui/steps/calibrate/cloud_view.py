@@ -47,6 +47,12 @@ class CloudView(QWidget):
         self._connect()
         self._say_words()
 
+    @property
+    def drawn(self) -> bool:
+        """Whether what is to be seen now has been made."""
+        seen = self._stack.currentWidget()
+        return seen.drawn if isinstance(seen, FlatCloud | GlCloud) else True
+
     def show_clouds(self, clouds: Sequence[SensorCloud], *, compared: bool) -> None:
         """Show clouds; `compared` offers before and after."""
         self._clouds = tuple(clouds)
