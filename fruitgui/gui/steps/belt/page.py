@@ -6,15 +6,16 @@ import math
 
 import numpy as np
 from PySide6.QtCore import QEvent, QTimer
-from PySide6.QtGui import QAction, QImage
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.frame import F64
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.belt.backdrop import Backdrop
 from fruitgui.gui.steps.belt.draft import Draft, added, draft_of, moved, removed, saved_in, undone, with_measured
 from fruitgui.gui.steps.belt.measuring import Motion, measuring
-from fruitgui.gui.steps.belt.projection import Above, Projection, Through, above, plan_points
+from fruitgui.gui.steps.belt.projection import Projection, Through, above
 from fruitgui.gui.steps.belt.region_canvas import RegionCanvas
 from fruitgui.gui.steps.belt.side_panel import SidePanel
 from fruitgui.gui.steps.belt.tool_row import ABOVE, ToolRow
@@ -23,9 +24,7 @@ from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace
-from fruitgui.gui.widgets.pictures import image_of
 from fruitgui.sensors.feed import Feed
-from fruitgui.station.belt_mosaic import Mosaic, mosaic_of
 from fruitgui.station.belt_setting import PlanMotion, area_m2, belt_pose
 from fruitgui.station.fingerprint import calibration_fingerprint
 from fruitgui.station.station import Station
@@ -35,7 +34,6 @@ from fruitgui.tracking.belt import BeltMotion
 DRAW_MS = 125
 SIDE_WIDTH = 344
 ABOVE_SIZE = (1000, 640)
-MOSAIC_WIDTH = 700
 
 
 class BeltPage(StepPage):
@@ -48,13 +46,11 @@ class BeltPage(StepPage):
         self._station: Station | None = None
         self._spread_m_s: float | None = None
         self._shown = ABOVE
-        self._mosaic: Mosaic | None = None
-        self._drawn: object = None
         self._task: Task[Motion] | None = None
         self._changed = False
         self.nothing, self.canvas = EmptyPlace(theme, "belt"), RegionCanvas(theme)
         self.side, self.tools = SidePanel(session, theme), ToolRow(theme)
-        self._stack = QStackedWidget()
+        self._stack, self._backdrop = QStackedWidget(), Backdrop(self)
         self._draw = QTimer(self, interval=DRAW_MS)
         self.save_action, self.undo_action = QAction(self), QAction(self)
         self.on_action, self.back_action = QAction(self), QAction(self)
@@ -77,6 +73,7 @@ class BeltPage(StepPage):
     def left(self) -> None:
         """Rest; what was set and can be is saved."""
         self._draw.stop()
+        self._backdrop.queries.rest()
         if self._changed and self._draft is not None and not self._draft.problem:
             self._save()
 
@@ -114,6 +111,8 @@ class BeltPage(StepPage):
         session.station_changed.connect(self._take_station)
         session.connected.changed.connect(self._feed_changed)
         self._draw.timeout.connect(self._draw_picture)
+        self._backdrop.made.connect(canvas.show_image)
+        self._backdrop.queries.failed.connect(session.messages.error)
         self.tools.chosen.connect(self._choose_view)
         self.tools.add.connect(self._add_chosen)
         self.tools.remove.connect(self._remove_chosen)
@@ -171,37 +170,21 @@ class BeltPage(StepPage):
         return self._session.connected.feed
 
     def _show_view(self) -> None:
-        """Make the projection anew, and what of the pictures goes with it."""
+        """Show the belt from above, or through the chosen sensor where its lens is known."""
         station, draft, feed = self._station, self._draft, self._feed()
-        self._drawn, self._mosaic = None, None
         if station is None or draft is None:
             return
         camera = None if feed is None or self._shown not in feed.infos else feed.infos[self._shown].intrinsics
+        view: Projection = above(draft.corners_m, draft.axis_rad, *ABOVE_SIZE)
         if self._shown != ABOVE and camera is not None:
-            self.canvas.show_view(Through(station, self._shown, camera))
-            return
-        view = above(draft.corners_m, draft.axis_rad, *ABOVE_SIZE)
+            view = Through(station, self._shown, camera)
         self.canvas.show_view(view)
-        if feed is not None and set(feed.infos) & set(station.sensors):
-            height = round(MOSAIC_WIDTH * view.size[1] / view.size[0])
-            cameras = {name: info.intrinsics for name, info in feed.infos.items()}
-            self._mosaic = mosaic_of(station, cameras, plan_points(view, MOSAIC_WIDTH, height))
+        self._backdrop.show_view(station, view)
 
     def _draw_picture(self) -> None:
-        feed, view = self._feed(), self.canvas.view
-        if feed is None or view is None:
-            return
-        frames = {name: feed.newest(name) for name in feed.infos}
-        if isinstance(view, Above):
-            newest = tuple((name, frame.sequence) for name, frame in frames.items() if frame is not None)
-            if self._mosaic is not None and newest and newest != self._drawn:
-                self._drawn = newest
-                self.canvas.show_image(_rgba(self._mosaic.laid(frames)))
-            return
-        frame = frames.get(self._shown)
-        if frame is not None and frame.sequence != self._drawn:
-            self._drawn = frame.sequence
-            self.canvas.show_image(image_of(frame.color))
+        feed = self._feed()
+        if feed is not None:
+            self._backdrop.draw(feed)
 
     def _show_draft(self) -> None:
         draft = self._draft
@@ -351,8 +334,3 @@ def _arrow(draft: Draft, view: Projection | None) -> tuple[F64, F64] | None:
     way = np.array([math.cos(motion.heading_rad), math.sin(motion.heading_rad)])
     length_m = min(max(2.0 * motion.speed_m_s, 0.15), 0.5)
     return middle - way * length_m / 2, middle + way * length_m / 2
-
-
-def _rgba(mosaic: np.ndarray) -> QImage:
-    height, width = mosaic.shape[:2]
-    return QImage(mosaic.data, width, height, 4 * width, QImage.Format.Format_RGBA8888).copy()

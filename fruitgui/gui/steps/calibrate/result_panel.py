@@ -97,15 +97,22 @@ class ResultPanel(QWidget):
         row.addWidget(right, 1)
 
     def _fill_figures(self, verdict: Verdict) -> None:
-        while self._figures.count():
-            item = self._figures.takeAt(0)
-            widget = None if item is None else item.widget()
-            if widget is not None:
-                widget.hide()
-                widget.deleteLater()
-        for row, (name, value) in enumerate(verdict.figures):
-            self._figures.addWidget(label(name, "dim"), row, 0)
-            self._figures.addWidget(label(value), row, 1, Qt.AlignmentFlag.AlignRight)
+        for row in range(max(len(verdict.figures), self._figures.rowCount())):
+            texts = verdict.figures[row] if row < len(verdict.figures) else ("", "")
+            for column, text in enumerate(texts):
+                shown = self._figure(row, column)
+                shown.setText(text)
+                shown.setVisible(bool(text))
+
+    def _figure(self, row: int, column: int) -> QLabel:
+        """Return the label at a place, which is made once: each that is added lays the whole window out anew."""
+        item = self._figures.itemAtPosition(row, column)
+        widget = None if item is None else item.widget()
+        if isinstance(widget, QLabel):
+            return widget
+        made = label("", "" if column else "dim")
+        self._figures.addWidget(made, row, column, *((Qt.AlignmentFlag.AlignRight,) if column else ()))
+        return made
 
     def _draw_icon(self) -> None:
         if self._verdict is not None:
