@@ -110,7 +110,7 @@ def test_connecting_shows_each_sensor_live_and_is_kept(
     assert kept is not None
     assert [one.serial for one in kept.sensors] == [one.info.serial for one in rig.sensors]
     first = page.tiles.tiles[0]
-    qtbot.waitUntil(lambda: first._thumbnails.colour is not None and first._thumbnails.depth is not None)
+    qtbot.waitUntil(lambda: first.thumbnails is not None)
     assert page.main_action is page.calibrate_action
     assert not page.turns.picture.isVisible()
     assert "10.0 pictures" in page.turns.result.text()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from PySide6.QtGui import QImage
 
@@ -12,28 +14,41 @@ EASE = 0.1
 """How much of a new range of depths is taken over with each picture."""
 
 MARGIN = 0.06
+USUAL_RANGE_MM = (500.0, 2000.0)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
 class Thumbnails:
-    """Keeps the last pictures of one sensor, and makes new ones only of a new frame."""
+    """Both pictures of one frame.
 
-    def __init__(self) -> None:
-        self._sequence: tuple[int, float] | None = None
-        self._range_mm: tuple[float, float] | None = None
-        self.colour: QImage | None = None
-        self.depth: QImage | None = None
+    Attributes:
+        sequence, time_s: of the frame.
+        range_mm: depths that are drawn; None while too few were read.
+        colour, depth: the pictures.
+    """
 
-    def take(self, frame: Frame | None, width_px: int) -> bool:
-        """Take in the newest frame, thinned to about a width; tell whether the pictures are new."""
-        if frame is None or (frame.sequence, frame.time_s) == self._sequence or width_px < 1:
-            return False
-        self._sequence = (frame.sequence, frame.time_s)
-        step = max(frame.depth_mm.shape[1] // width_px, 1)
-        depth_mm = frame.depth_mm[::step, ::step]
-        self._range_mm = _eased(self._range_mm, depth_mm)
-        self.colour = image_of(_thinned(frame.color, step))
-        self.depth = depth_image(depth_mm, *(self._range_mm or (500.0, 2000.0)))
-        return True
+    sequence: int
+    time_s: float
+    range_mm: tuple[float, float] | None
+    colour: QImage
+    depth: QImage
+
+    def of(self, frame: Frame) -> bool:
+        """Tell whether they show this frame."""
+        return (frame.sequence, frame.time_s) == (self.sequence, self.time_s)
+
+
+def thumbnails(frame: Frame, width_px: int, before: Thumbnails | None) -> Thumbnails:
+    """Return a frame's pictures, thinned to about a width; any thread may call.
+
+    Args:
+        before: of the same sensor, whose range of depths is gone on with.
+    """
+    step = max(frame.depth_mm.shape[1] // max(width_px, 1), 1)
+    depth_mm = frame.depth_mm[::step, ::step]
+    range_mm = _eased(None if before is None else before.range_mm, depth_mm)
+    depth = depth_image(depth_mm, *(range_mm or USUAL_RANGE_MM))
+    return Thumbnails(frame.sequence, frame.time_s, range_mm, image_of(_thinned(frame.color, step)), depth)
 
 
 def _thinned(color: U8, step: int) -> U8:

@@ -6,7 +6,6 @@ from PySide6.QtCore import QRectF, QSize, Qt, QTimer
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
-from fruitgui.frame import Frame
 from fruitgui.gui.steps.connect.arrangement import PICTURE_SHAPE
 from fruitgui.gui.steps.connect.presenter import SensorView
 from fruitgui.gui.steps.connect.thumbnails import Thumbnails
@@ -30,7 +29,7 @@ class SensorTile(QAbstractButton):
         super().__init__(parent)
         self._theme = theme
         self._view: SensorView | None = None
-        self._thumbnails = Thumbnails()
+        self._thumbnails: Thumbnails | None = None
         self._stacked = False
         self._flash = QTimer(self, interval=FLASH_MS)
         self._flashes = 0
@@ -63,11 +62,20 @@ class SensorTile(QAbstractButton):
         self.setToolTip("\n".join(part for part in (view.name, view.condition.word, view.condition.remedy) if part))
         self.update()
 
-    def show_frame(self, frame: Frame | None) -> None:
-        """Show the newest frame."""
-        width = int(self._places()[0].width() * self.devicePixelRatioF())
-        if self._thumbnails.take(frame, width):
-            self.update()
+    @property
+    def thumbnails(self) -> Thumbnails | None:
+        """The pictures that are shown."""
+        return self._thumbnails
+
+    @property
+    def picture_px(self) -> int:
+        """Device pixels: how wide a picture is shown."""
+        return int(self._places()[0].width() * self.devicePixelRatioF())
+
+    def show_thumbnails(self, shown: Thumbnails) -> None:
+        """Show the newest pictures."""
+        self._thumbnails = shown
+        self.update()
 
     def stack(self, stacked: bool) -> None:
         """Put depth below colour, or beside it."""
@@ -97,8 +105,9 @@ class SensorTile(QAbstractButton):
         if self._view is not None:
             self._paint_words(painter, self._view)
         colour, depth = self._places()
-        self._paint_picture(painter, colour, self._thumbnails.colour, "camera")
-        self._paint_picture(painter, depth, self._thumbnails.depth, "layers")
+        shown = self._thumbnails
+        self._paint_picture(painter, colour, None if shown is None else shown.colour, "camera")
+        self._paint_picture(painter, depth, None if shown is None else shown.depth, "layers")
         painter.end()
 
     def _flash_on(self) -> None:

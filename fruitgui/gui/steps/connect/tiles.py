@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import QRect, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
+from fruitgui.gui.queries import Queries
 from fruitgui.gui.steps.connect.arrangement import arranged
 from fruitgui.gui.steps.connect.presenter import SensorView
+from fruitgui.gui.steps.connect.thumbnails import Thumbnails, thumbnails
 from fruitgui.gui.steps.connect.tile import INSET, WORDS, SensorTile
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
@@ -23,9 +26,10 @@ GAP = 2 * GRID
 
 
 class SensorTiles(QWidget):
-    """The tiles; one is chosen. Pictures are drawn while `run` says so.
+    """The tiles; one is chosen. Pictures are made beside the window while `run` says so.
 
     Attributes:
+        queries: what is being made.
         chosen: name of the sensor that a person chose.
     """
 
@@ -36,6 +40,7 @@ class SensorTiles(QWidget):
         self._theme = theme
         self._feed: Feed | None = None
         self._tiles: list[SensorTile] = []
+        self.queries = Queries(self)
         self._draw = QTimer(self, interval=DRAW_MS)
         self._draw.timeout.connect(self._show_frames)
         self.setMinimumSize(240, 240)
@@ -106,8 +111,19 @@ class SensorTiles(QWidget):
             self.chosen.emit(tile.text())
 
     def _show_frames(self) -> None:
-        if self._feed is None:
+        """Begin to make pictures of frames that are new, unless some are being made."""
+        feed = self._feed
+        if feed is None or self.queries.busy:
             return
+        wanted = {}
         for tile in self._tiles:
-            if tile.text() in self._feed.infos:
-                tile.show_frame(self._feed.newest(tile.text()))
+            frame, shown = feed.newest(tile.text()) if tile.text() in feed.infos else None, tile.thumbnails
+            if frame is not None and (shown is None or not shown.of(frame)):
+                wanted[tile.text()] = partial(thumbnails, frame, tile.picture_px, shown)
+        if wanted:
+            self.queries.ask("pictures", lambda: {name: make() for name, make in wanted.items()}, self._take)
+
+    def _take(self, made: dict[str, Thumbnails]) -> None:
+        for tile in self._tiles:
+            if tile.text() in made:
+                tile.show_thumbnails(made[tile.text()])
