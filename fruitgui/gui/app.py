@@ -20,6 +20,7 @@ from fruitgui.gui.housekeeping import Housekeeping
 from fruitgui.gui.logs import Logs
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.pages import make_pages
+from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.settings_dialog import SettingsDialog
 from fruitgui.gui.store_trouble import StoreTrouble, opened
@@ -93,8 +94,11 @@ class Application(QObject):
         return Message(Level.BAD, what, why, self.tr("Take the last good one"), take, stays=True)
 
     def _close(self) -> bool:
-        """End all that runs; it was saved as it came."""
+        """End all that runs; it was saved as it came, or is now."""
         self._housekeeping.stop()
+        self._health.stop()
+        for one in self.window.findChildren(Queries):
+            one.finish()
         self.session.close()
         self._collector.stop()
         sys.setswitchinterval(self._hand_over_s)

@@ -51,6 +51,10 @@ class HealthWatch(QObject):
         self._timer.start()
         self.look()
 
+    def stop(self) -> None:
+        """Look no more: the bar is about to go."""
+        self._timer.stop()
+
     def look(self) -> None:
         """Show how all is now."""
         running = self._session.running

@@ -11,7 +11,7 @@ from fruitgui.station.kinds_file import KindNote, KindNotes
 
 
 class KindBook(QObject):
-    """The notes on kinds as the window holds them; what is new in them is kept before it is told.
+    """The notes on kinds as the window holds them.
 
     Args:
         notes: as they were kept.
@@ -43,9 +43,10 @@ class KindBook(QObject):
         return marks
 
     def take(self, notes: KindNotes) -> None:
-        """Take other notes: those of before."""
-        self._notes = notes
-        self.changed.emit()
+        """Take what is kept, where that is not what is held: it was taken back, or could not be written."""
+        if notes != self._notes:
+            self._notes = notes
+            self.changed.emit()
 
     def type_densities(self, densities_g_ml: Mapping[str, float | None]) -> None:
         """Keep what a person typed of kinds; None for nothing."""

@@ -17,6 +17,7 @@ from fruitgui.gui.tasks import unexpected_error
 T = TypeVar("T")
 
 LOOK_MS = 10
+END_S = 5.0
 LINGER_S = 0.3
 """A thread with nothing to do waits so long for more: to begin one costs the window more than most questions do."""
 
@@ -58,7 +59,7 @@ class _Work:
                 queue.remove(instead_of)
             queue.append(asked)
             start, self._running = not self._running, True
-            self._more.notify()
+            self._more.notify_all()
         if start:
             threading.Thread(target=self._run, name="queries").start()
 
@@ -67,6 +68,12 @@ class _Work:
         with self._more:
             self.questions.clear()
             self.patient.clear()
+
+    def wait_for_changes(self, timeout_s: float) -> bool:
+        """Wait until nothing is asked any more and all changes are made; tell whether they were, in that time."""
+        self.forget_questions()
+        with self._more:
+            return self._more.wait_for(lambda: not (self._in_hand or self.changes), timeout_s)
 
     def take_answered(self) -> _Asked | None:
         """Return the next that is answered; None where there is none."""
@@ -82,6 +89,7 @@ class _Work:
             with self._more:
                 self._in_hand = False
                 self._done.append(asked)
+                self._more.notify_all()
             del asked  # its answer belongs to a widget, which must not be freed on this thread
 
     def _next(self) -> _Asked | None:
@@ -135,6 +143,13 @@ class Queries(QObject):
         """Forget all questions; changes are made nonetheless."""
         self._newest.clear()
         self._work.forget_questions()
+
+    def finish(self, timeout_s: float = END_S) -> bool:
+        """Forget all questions, and wait until all changes are made and told; tell whether they were, in that time."""
+        self._newest.clear()
+        made = self._work.wait_for_changes(timeout_s)
+        self._tell()
+        return made
 
     def _ask(self, queue: deque[_Asked], asked: _Asked) -> None:
         before = self._newest.get(asked.name)

@@ -5,17 +5,17 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TypeVar
+from typing import Any, TypeVar
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, SignalInstance
 
-from fruitgui.errors import FruitguiError
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.kind_book import KindBook
 from fruitgui.gui.lot_words import LotWords, lot_words
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.recorder import Recorder
 from fruitgui.gui.running import LinePlan, Running
+from fruitgui.gui.saving import KeptValue, Saving
 from fruitgui.gui.source_runner import SourceRunner
 from fruitgui.gui.steadiness import SensorsSteadiness
 from fruitgui.gui.tasks import TaskRunner
@@ -27,7 +27,7 @@ from fruitgui.sensors.turns import Settling
 from fruitgui.station.connection import Connection
 from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.facts import facts_of
-from fruitgui.station.kept_file import Damage, Kept, KeptFile
+from fruitgui.station.kept_file import Damage, KeptFile
 from fruitgui.station.kinds_file import KindNotes
 from fruitgui.station.model import Model
 from fruitgui.station.projectors import Projectors
@@ -42,12 +42,13 @@ from fruitgui.station.workflow_file import Marks
 from fruitgui.station.workspace import Workspace
 
 T = TypeVar("T")
+D = TypeVar("D")
 
 LOTS_LOOKED_AT = 100
 
 
 class Session(QObject):
-    """The files of one line as the window holds them; every change is saved before it is told.
+    """The files of one line as the window holds them; every change is on the disk before it is told.
 
     Attributes:
         messages, tasks: the window's one voice, and its one runner of long jobs.
@@ -88,17 +89,22 @@ class Session(QObject):
         self.running = Running(self.store, self.connected, self.tasks, self.messages, self)
         self.steadiness = SensorsSteadiness(self.connected, self.running, self.messages, self)
         self.damages: list[Damage] = []
+        self._files: list[KeptValue[Any, Any]] = []
         self._lots = self.store.lots.find(LotQuery(count=0)).found
         self._taught = self.store.teaching.facts()
-        self._settings = self._taken(workspace.settings.load()) or Settings()
-        self._connection = self._taken(workspace.connection.load())
-        self._station = self._taken(workspace.station.load())
-        self._projectors = self._taken(workspace.projectors.load()) or Projectors()
-        self._marks = self._taken(workspace.marks.load()) or Marks()
-        self.kinds = KindBook(self._taken(workspace.kinds.load()) or KindNotes(), self._keep_kinds, self)
-        self.connected.changed.connect(self._arrange_turns)
-        self.station_changed.connect(self._arrange_turns)
-        self._depths = self._taken(workspace.depths.load()) or DeviceDepths()
+        self._saving = Saving(self.messages, self)
+        files, states = workspace, self.states_changed
+        self._settings = self._kept(files.settings, Settings(), self.settings_changed)
+        self._connection = self._kept(files.connection, None, self.connection_changed, states)
+        self._station = self._kept(files.station, None, self.station_changed, states)
+        self._projectors = self._kept(files.projectors, Projectors(), self.projectors_changed)
+        self._marks = self._kept(files.marks, Marks(), states)
+        self._depths = self._kept(files.depths, DeviceDepths(), self.connection_changed, states)
+        self._kinds = self._kept(files.kinds, KindNotes())
+        self.kinds = KindBook(self._kinds.value, self._keep_kinds, self)
+        self._kinds.changed.connect(self._take_kinds)
+        for changed in (self.connected.changed, self.station_changed, self.projectors_changed):
+            changed.connect(self._arrange_turns)
         self.connected.changed.connect(self.states_changed)
         self.running.changed.connect(self._lots_changed)
         self.source.opened.connect(self._keep_connection)
@@ -107,27 +113,27 @@ class Session(QObject):
     @property
     def settings(self) -> Settings:
         """What a person set."""
-        return self._settings
+        return self._settings.value
 
     @property
     def connection(self) -> Connection | None:
         """What the line is connected to."""
-        return self._connection
+        return self._connection.value
 
     @property
     def station(self) -> Station | None:
         """What setting up made."""
-        return self._station
+        return self._station.value
 
     @property
     def projectors(self) -> Projectors:
         """What was measured of the sensors' projectors."""
-        return self._projectors
+        return self._projectors.value
 
     @property
     def settlings(self) -> dict[str, Settling]:
         """How long each device settles, by serial, as far as it was measured."""
-        return {serial: one.settling() for serial, one in self._projectors.settlings.items()}
+        return {serial: one.settling() for serial, one in self.projectors.settlings.items()}
 
     @property
     def taught(self) -> TaughtFacts | None:
@@ -142,12 +148,21 @@ class Session(QObject):
     @property
     def marks(self) -> Marks:
         """Which step was done with what."""
-        return self._marks
+        return self._marks.value
 
     @property
     def depths(self) -> DeviceDepths:
         """What was measured of the devices' depth."""
-        return self._depths
+        return self._depths.value
+
+    @property
+    def saving(self) -> bool:
+        """Whether a change is still on its way to the disk."""
+        return self._saving.busy
+
+    def when_saved(self, told: Callable[[], None]) -> None:
+        """Call `told` once all that was changed is on the disk; never where some of it could not be saved."""
+        self._saving.after(told)
 
     def close(self) -> bool:
         """End whatever runs, and let go of the files; an open lot stays open. Tell whether all ended in time."""
@@ -157,88 +172,49 @@ class Session(QObject):
             self.tasks.close(),
             not self.connected.stop(),
             self.steadiness.close(),
+            self._saving.finish(),
         ]
         self.store.close()
         return all(ended)
 
     def start_sensors(self) -> None:
         """Let the connection's sensors run, where there is a connection; anew where they run already."""
-        if self._connection is not None:
-            self.source.start(self._connection)
+        if self.connection is not None:
+            self.source.start(self.connection)
 
     def save_settings(self, settings: Settings) -> None:
         """Keep settings."""
-        if self._saved(self.workspace.settings, settings):
-            self._settings = settings
-            self.settings_changed.emit()
+        self._settings.put(settings)
 
     def save_connection(self, connection: Connection) -> None:
         """Keep what the line is connected to."""
-        if self._saved(self.workspace.connection, connection):
-            self._connection = connection
-            self.connection_changed.emit()
-            self.states_changed.emit()
+        self._connection.put(connection)
 
     def save_station(self, station: Station) -> None:
         """Keep a station; the one before it can be taken back."""
-        if self._saved(self.workspace.station, station):
-            self._station = station
-            self.station_changed.emit()
-            self.states_changed.emit()
+        self._station.put(station)
 
     def take_last_good(self, damage: Damage) -> None:
         """Take back the last good state of a file that was damaged."""
-        files = self.workspace
-        try:
-            if damage.file == files.station.path:
-                self._station = files.station.restore()
-            elif damage.file == files.connection.path:
-                self._connection = files.connection.restore()
-            elif damage.file == files.settings.path:
-                self._settings = files.settings.restore()
-            elif damage.file == files.marks.path:
-                self._marks = files.marks.restore()
-            elif damage.file == files.kinds.path:
-                self.kinds.take(files.kinds.restore())
-            elif damage.file == files.projectors.path:
-                self._projectors = files.projectors.restore()
-            elif damage.file == files.depths.path:
-                self._depths = files.depths.restore()
-        except FruitguiError as error:
-            self.messages.error(error)
-            return
-        for changed in (self.settings_changed, self.connection_changed, self.station_changed, self.states_changed):
-            changed.emit()
+        for kept in self._files:
+            if kept.path == damage.file:
+                kept.take_back()
 
     def take_back_station(self) -> None:
         """Return to the station before the last change; doing it again undoes this."""
-        try:
-            self._station = self.workspace.station.restore()
-        except FruitguiError as error:
-            self.messages.error(error)
-            return
-        self.station_changed.emit()
-        self.states_changed.emit()
+        self._station.take_back()
 
     def save_projectors(self, projectors: Projectors) -> None:
         """Keep what was measured of the projectors, and go by it from now on."""
-        if self._saved(self.workspace.projectors, projectors):
-            self._projectors = projectors
-            self._arrange_turns()
-            self.projectors_changed.emit()
+        self._projectors.put(projectors)
 
     def save_marks(self, marks: Marks) -> None:
         """Keep which step was done with what."""
-        if self._saved(self.workspace.marks, marks):
-            self._marks = marks
-            self.states_changed.emit()
+        self._marks.put(marks)
 
     def save_depths(self, depths: DeviceDepths) -> None:
         """Keep what was measured of the devices' depth; a station that was made otherwise is to be made again."""
-        if self._saved(self.workspace.depths, depths):
-            self._depths = depths
-            self.connection_changed.emit()
-            self.states_changed.emit()
+        self._depths.put(depths)
 
     def note_taught(self, taught: TaughtFacts | None) -> None:
         """Take note of what is taught now."""
@@ -256,7 +232,7 @@ class Session(QObject):
 
     def start_lot(self, plan: LotPlan) -> None:
         """Start the line on the connected sensors, and a lot."""
-        station = self._station
+        station = self.station
         if station is not None:
             text = json.dumps(station_value(station))
             whole = replace(plan, reference_sensor=station.reference, model=station.model, station_text=text)
@@ -265,11 +241,11 @@ class Session(QObject):
     def take_up_lot(self) -> None:
         """Go on with the lot that is open."""
         lot = self.running.lot
-        if self._station is not None and lot is not None:
-            self.running.take_up(self._line_plan(self._station), lot)
+        if self.station is not None and lot is not None:
+            self.running.take_up(self._line_plan(self.station), lot)
 
     def _line_plan(self, station: Station) -> LinePlan:
-        connection = self._connection
+        connection = self.connection
         recorded = connection is not None and is_finite(connection.source)
         again = None if connection is None or not recorded else lambda: self.source.fresh_feed(connection)
         return LinePlan(station, self._model_of(station), again)
@@ -277,15 +253,15 @@ class Session(QObject):
     def facts(self) -> Facts:
         """Return what exists, as far as the files tell."""
         return facts_of(
-            self._connection,
-            self._station,
-            self._marks,
+            self.connection,
+            self.station,
+            self.marks,
             present=self._present(),
             taught=self._taught,
             lots=self._lots,
             moved=self.running.moved,
             running=self.running.running,
-            depths=self._depths,
+            depths=self.depths,
         )
 
     def states(self) -> dict[Step, StepState]:
@@ -303,13 +279,13 @@ class Session(QObject):
         """Let the projectors take turns by what is known of the rig now."""
         feed = self.connected.feed
         if feed is not None:
-            rig = rig_of(self._station, {name: info.intrinsics for name, info in feed.infos.items()})
+            rig = rig_of(self.station, {name: info.intrinsics for name, info in feed.infos.items()})
             schedule = schedule_of(feed.infos, None if rig is None else overlapping(rig), self.settlings)
             if schedule != feed.schedule:
                 feed.take_turns(schedule)
 
     def _keep_connection(self, connection: Connection) -> None:
-        if connection != self._connection:
+        if connection != self.connection:
             self.save_connection(connection)
 
     def _lots_changed(self) -> None:
@@ -329,17 +305,20 @@ class Session(QObject):
         return model
 
     def _keep_kinds(self, notes: KindNotes) -> bool:
-        return self._saved(self.workspace.kinds, notes)
-
-    def _taken(self, kept: Kept[T]) -> T | None:
-        if kept.damage is not None:
-            self.damages.append(kept.damage)
-        return kept.value
-
-    def _saved(self, file: KeptFile[T], value: T) -> bool:
-        try:
-            file.save(value)
-        except FruitguiError as error:
-            self.messages.error(error)
-            return False
+        self._kinds.put(notes)
         return True
+
+    def _take_kinds(self) -> None:
+        self.kinds.take(self._kinds.value)
+
+    def _kept(self, file: KeptFile[T], default: D, *told: SignalInstance) -> KeptValue[T, D]:
+        """Return what a file holds, `default` where there is none; a damaged one is noted."""
+        found = file.load()
+        if found.damage is not None:
+            self.damages.append(found.damage)
+        value = default if found.value is None else found.value
+        kept: KeptValue[T, D] = KeptValue(file, value, self._saving, self)
+        for signal in told:
+            kept.changed.connect(signal)
+        self._files.append(kept)
+        return kept

@@ -85,14 +85,17 @@ class MainWindow(QMainWindow):
         self.rail.show_states(states)
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
-        """Ask whoever owns what runs; end the page in view."""
-        if not self._closing():
-            event.ignore()
-            return
-        if self._step is not None:
-            self._pages[self._step].left()
+        """End the page in view, which may have something to save; then ask whoever owns what runs."""
+        page = None if self._step is None else self._pages[self._step]
+        if page is not None:
+            page.left()
+        if self._closing():
             self._step = None
-        event.accept()
+            event.accept()
+            return
+        event.ignore()
+        if page is not None:
+            page.entered()
 
     def _lay_out(self) -> None:
         right = QVBoxLayout()

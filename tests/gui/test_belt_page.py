@@ -76,6 +76,7 @@ def running(qtbot: QtBot, rigged: Session, page: BeltPage, rig: FrozenSource, st
     qtbot.waitUntil(lambda: not rigged.source.opening, timeout=LONG_MS)
     qtbot.waitUntil(lambda: all(one.frames > 0 for one in rigged.connected.health.values()), timeout=LONG_MS)
     rigged.save_station(station)
+    qtbot.waitUntil(lambda: not rigged.saving, timeout=LONG_MS)
     return page
 
 
@@ -120,6 +121,7 @@ def test_a_corner_is_dragged_with_a_finger_saved_for_the_sensors_and_marked_done
     assert rigged.states()[Step.BELT].state is State.READY
     running.save_action.trigger()
     assert rigged.states()[Step.BELT].state is State.DONE
+    qtbot.waitUntil(lambda: not rigged.saving, timeout=LONG_MS)
     kept = rigged.workspace.station.load().value
     assert kept is not None
     for name, one in kept.sensors.items():
@@ -204,9 +206,11 @@ def test_leaving_saves_and_the_message_takes_it_back(qtbot: QtBot, rigged: Sessi
     _drag(qtbot, running, 0, QPoint(30, 10))
     running.left()
     assert rigged.states()[Step.BELT].state is State.DONE
+    qtbot.waitUntil(lambda: not rigged.saving, timeout=LONG_MS)
     undo = rigged.messages.history[-1].act
     assert undo is not None
     undo()
+    qtbot.waitUntil(lambda: not rigged.saving, timeout=LONG_MS)
     assert _corners(running) == pytest.approx(before, abs=1e-5)
     assert rigged.states()[Step.BELT].state is State.READY
 

@@ -106,6 +106,7 @@ def test_calibrating_shows_how_good_it_is_and_is_kept_only_when_told(
     assert page.main_action is page.keep_action
     page.keep_action.trigger()
     assert rigged.station is not None
+    qtbot.waitUntil(lambda: not rigged.saving, timeout=LONG_MS)
     assert rigged.workspace.station.load().value is not None
     assert rigged.states()[Step.CALIBRATE].state is State.DONE
     assert page.main_action is page.on_action
@@ -170,9 +171,11 @@ def test_a_calibration_can_be_discarded_and_a_kept_one_taken_back(
     assert rigged.station is first, "it stays in use until another is kept"
     _calibrate(qtbot, rigged, page)
     page.keep_action.trigger()
+    qtbot.waitUntil(lambda: not rigged.saving, timeout=LONG_MS)
     undo = rigged.messages.history[-1].act
     assert undo is not None
     undo()
+    qtbot.waitUntil(lambda: not rigged.saving, timeout=LONG_MS)
     taken = rigged.station
     assert taken is not None
     assert first is not None

@@ -17,9 +17,6 @@ from sqlalchemy.engine import Engine
 
 OURS = "/fruitgui/"
 
-ALLOWED = ("_saved gui/session.py",)
-"""Places that may: small files are saved before a change is told of. A person's press does that, never the line."""
-
 
 class Guard:
     """What was called on the window's thread that must not be.
@@ -51,7 +48,7 @@ class Guard:
             return  # a thread that begins is waited for, no longer than it takes to be made
         ours = [one for one in stack if OURS in one.filename.replace(os.sep, "/") and "/tests/" not in one.filename]
         where = " < ".join(f"{one.name} {one.filename.split(OURS)[-1]}:{one.lineno}" for one in ours[:-8:-1])
-        if where and not any(one in where for one in ALLOWED):
+        if where:
             self.caught[f"{what} in {where}"] += 1
 
 

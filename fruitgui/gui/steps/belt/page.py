@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QEvent, QTimer
@@ -108,7 +109,7 @@ class BeltPage(StepPage):
 
     def _connect(self) -> None:
         session, canvas, side = self._session, self.canvas, self.side
-        session.station_changed.connect(self._take_station)
+        session.station_changed.connect(self._station_changed)
         session.connected.changed.connect(self._feed_changed)
         self._draw.timeout.connect(self._draw_picture)
         self._backdrop.made.connect(canvas.show_image)
@@ -161,6 +162,11 @@ class BeltPage(StepPage):
             self._shown = self._shown if self._shown in station.sensors else ABOVE
             self.tools.show_sensors(tuple(station.sensors), self._shown)
         self._feed_changed()
+
+    def _station_changed(self) -> None:
+        """Begin anew with another station; one that was saved here is on the screen already."""
+        if self._session.station is not self._station:
+            self._take_station()
 
     def _feed_changed(self) -> None:
         self._show_view()
@@ -299,9 +305,9 @@ class BeltPage(StepPage):
             return
         session, before, marks = self._session, station, self._session.marks
         spread = self._spread_m_s
-        self._changed = False
         session.save_station(saved_in(draft, station))
         session.save_marks(marks.model_copy(update={"belt_calibration": calibration_fingerprint(station)}))
+        self._take_station()
         self._spread_m_s = spread
         self._show_draft()
 
@@ -309,8 +315,8 @@ class BeltPage(StepPage):
             session.save_station(before)
             session.save_marks(marks)
 
-        text = self.tr("The belt is saved.")
-        session.messages.say(Message(Level.GOOD, text, action=self.tr("Undo"), act=take_back))
+        said = Message(Level.GOOD, self.tr("The belt is saved."), action=self.tr("Undo"), act=take_back)
+        session.when_saved(partial(session.messages.say, said))
 
     def _go_on(self) -> None:
         self.step_wanted.emit(Step.TEACH)

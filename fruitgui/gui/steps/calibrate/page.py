@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtCore import QEvent, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
@@ -281,11 +283,11 @@ class CalibratePage(StepPage):
         self._result, self._again = None, False
         self._drawn_for = made.outcome.station
         self._session.save_station(made.outcome.station)
+        self._show()
         text = self.tr("The calibration is kept.")
-        if had:
-            self._session.messages.say(Message(Level.GOOD, text, action=self.tr("Undo"), act=self._undo))
-        else:
-            self._session.messages.good(text)
+        undone = Message(Level.GOOD, text, action=self.tr("Undo"), act=self._undo)
+        said = undone if had else Message(Level.GOOD, text)
+        self._session.when_saved(partial(self._session.messages.say, said))
 
     def _undo(self) -> None:
         self._drawn_for = None

@@ -11,6 +11,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from fruitgui.errors import FruitguiError
+from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.train.core_words import worded
@@ -157,19 +158,19 @@ class Trainer(QObject):
     def _accepted(self, taken: Taken) -> None:
         self.trained = self.waiting = None
         self._use(taken)
-        messages = self._session.messages
         if self._session.running.running:
-            said = self.tr("The new model is in use from the next lot on.")
+            text = self.tr("The new model is in use from the next lot on.")
         else:
-            said = self.tr("The new model is in use.")
-        if self.versions:
-            messages.info(said, self.tr("Roll back"), self.roll_back)
-        else:
-            messages.good(said)
+            text = self.tr("The new model is in use.")
+        back = Message(Level.INFO, text, action=self.tr("Roll back"), act=self.roll_back)
+        self._say_once_saved(back if self.versions else Message(Level.GOOD, text))
 
     def _went_back(self, taken: Taken) -> None:
         self._use(taken)
-        self._session.messages.good(self.tr("The model before is in use again."))
+        self._say_once_saved(Message(Level.GOOD, self.tr("The model before is in use again.")))
+
+    def _say_once_saved(self, said: Message) -> None:
+        self._session.when_saved(partial(self._session.messages.say, said))
 
     def _use(self, taken: Taken) -> None:
         session = self._session
