@@ -19,13 +19,18 @@ _COLOURS = {Level.INFO: "text_dim", Level.GOOD: "good", Level.WARN: "warn", Leve
 
 
 class ActionButton(QPushButton):
-    """A button that is an action: its words, its state, its key."""
+    """A button that is an action: its words, its state, its key.
+
+    Attributes:
+        main: whether it is the one that the operator most likely wants.
+    """
 
     def __init__(self, action: QAction, theme: Theme, *, main: bool, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._action = action
         self._theme = theme
-        self._main = main
+        self.main = main
+        self._offered = True
         self._drawn: tuple[str, str, str] | None = None
         self.setProperty("role", "main" if main else "plain")
         self.clicked.connect(action.trigger)
@@ -33,11 +38,16 @@ class ActionButton(QPushButton):
         theme.changed.connect(self._follow)
         self._follow()
 
+    def offer(self, offered: bool) -> None:
+        """Show it while its action is offered and can be seen."""
+        self._offered = offered
+        self.setVisible(offered and self._action.isVisible())
+
     def _follow(self) -> None:
         action = self._action
         self.setText(action.text())
         self.setEnabled(action.isEnabled())
-        self.setVisible(action.isVisible())
+        self.setVisible(self._offered and action.isVisible())
         key = action.shortcut().toString()
         tip = action.toolTip() or action.text()
         self.setToolTip(f"{tip} ({key})" if key else tip)
@@ -46,7 +56,7 @@ class ActionButton(QPushButton):
 
     def _draw(self, name: str) -> None:
         """Show a drawing, made anew only where it would look different: an action changes often, its drawing hardly."""
-        shown, dim = self._theme.colour("on_accent" if self._main else "text"), self._theme.colour("text_dim")
+        shown, dim = self._theme.colour("on_accent" if self.main else "text"), self._theme.colour("text_dim")
         drawn = (name, shown.name(), dim.name())
         if name and drawn != self._drawn:
             self._drawn = drawn
@@ -77,7 +87,7 @@ class ActionBar(QWidget):
         self._close = QPushButton(self)
         self._cancel = QPushButton(self)
         self._timer = QTimer(self, singleShot=True, interval=SHOWN_MS)
-        self._buttons: list[QWidget] = []
+        self._buttons: dict[QAction, ActionButton] = {}
         self._lay_out()
         self._timer.timeout.connect(self._forget)
         self._close.clicked.connect(self._put_away)
@@ -188,18 +198,25 @@ class ActionBar(QWidget):
         self._do.setText("" if message is None else message.action)
 
     def _show_actions(self) -> None:
-        for button in self._buttons:
+        """Show the buttons of the page's actions; each is made once, as dressing a new one takes milliseconds."""
+        page = self._page
+        main = None if page is None else page.main_action
+        wanted = () if page is None else (*page.other_actions, *(() if main is None else (main,)))
+        for button in self._buttons.values():
             self._actions.removeWidget(button)
-            button.hide()
-            button.deleteLater()
-        self._buttons = []
-        if self._page is None:
-            return
-        main = self._page.main_action
-        for action in (*self._page.other_actions, *(() if main is None else (main,))):
-            button = ActionButton(action, self._theme, main=action is main, parent=self)
-            self._actions.addWidget(button)
-            self._buttons.append(button)
+        for action in wanted:
+            self._actions.addWidget(self._button(action, main=action is main))
+        for action, button in self._buttons.items():
+            button.offer(action in wanted)
+
+    def _button(self, action: QAction, *, main: bool) -> ActionButton:
+        button = self._buttons.get(action)
+        if button is None or button.main is not main:
+            if button is not None:
+                button.hide()
+                button.deleteLater()
+            button = self._buttons[action] = ActionButton(action, self._theme, main=main, parent=self)
+        return button
 
     def _show_progress(self, share: float, doing: str) -> None:
         self._bar.setValue(round(share * 1000))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import OrderedDict
+from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPixmap
@@ -10,7 +12,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPixmap
 from fruitgui.frame import F64
 from fruitgui.gui.drawn import DrawnFruit
 from fruitgui.gui.theme.kinds import KindMark
-from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
+from fruitgui.gui.theme.stamps import drawn_pixmap
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.kind_mark import paint_mark
@@ -21,11 +23,25 @@ Box = tuple[float, float, float, float]
 """Left, top, right, bottom on the screen."""
 
 
+MOST_LABELS = 200
+"""That are kept drawn: those of all fruit in view, with all their words and with fewer."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Label:
+    """What is copied, and its size on the screen."""
+
+    picture: QPixmap
+    width: float
+    height: float
+
+
 class FruitLabels:
     """Draws labels, with fewer words where there is no room for more."""
 
     def __init__(self, theme: Theme) -> None:
         self._theme = theme
+        self._drawn: OrderedDict[Hashable, Label] = OrderedDict()
 
     def paint(
         self, painter: QPainter, fruit: Sequence[tuple[DrawnFruit, F64]], place: QRectF, *, worded: bool, ratio: float
@@ -49,18 +65,27 @@ class FruitLabels:
         words = (str(fruit.number), *(fruit.words if worded else ()))
         for count in range(len(words), 0, -1):
             label = self._label(fruit.mark, words[:count], ratio)
-            width, height = label.width() / ratio, label.height() / ratio
-            for box in _beside(around, width, height):
+            for box in _beside(around, label.width, label.height):
                 if _within(box, room) and not any(_meet(box, one) for one in taken):
                     taken.append(box)
-                    painter.drawPixmap(QPointF(box[0], box[1]), label)
+                    painter.drawPixmap(QPointF(box[0], box[1]), label.picture)
                     return
 
-    def _label(self, mark: KindMark, words: tuple[str, ...], ratio: float) -> QPixmap:
-        key = ("label", mark, words, ratio, self._theme.text_scale)
-        return stamp(key, lambda: self._drawn(mark, words, ratio))
+    def _label(self, mark: KindMark, words: tuple[str, ...], ratio: float) -> Label:
+        """Return a label, drawn before where it was; kept here, as asking Qt's own store takes longer than drawing."""
+        key = (mark, words, ratio, self._theme.text_scale)
+        label = self._drawn.get(key)
+        if label is None:
+            picture = self._draw(mark, words, ratio)
+            label = Label(picture, picture.width() / ratio, picture.height() / ratio)
+            self._drawn[key] = label
+            if len(self._drawn) > MOST_LABELS:
+                self._drawn.popitem(last=False)
+        else:
+            self._drawn.move_to_end(key)
+        return label
 
-    def _drawn(self, mark: KindMark, words: tuple[str, ...], ratio: float) -> QPixmap:
+    def _draw(self, mark: KindMark, words: tuple[str, ...], ratio: float) -> QPixmap:
         font = self._theme.font("small", QFont.Weight.DemiBold)
         metrics = QFontMetricsF(font)
         side = metrics.height() + 2

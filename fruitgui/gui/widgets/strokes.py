@@ -30,22 +30,30 @@ STEP_PX = 1.5
 _ELEMENT = np.dtype([("what", ">i4"), ("x", ">f8"), ("y", ">f8")])
 _MOVE, _LINE, _WINDING = 0, 1, 1
 
-_AROUND = [np.array(one) for one in ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))]
-_HERE = [np.zeros(2)]
+_AROUND = np.array([(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)])
+_HERE = np.zeros((1, 2))
 
 
-def path_of(lines: Sequence[F64], *, closed: bool = False) -> QPainterPath:
-    """Return lines (each (K, 2), screen pixels) as one path; what lies in several of them is inside all the same."""
-    drawn = [np.concatenate([one, one[:1]]) if closed else one for one in lines if len(one) > 1]
+def path_of(lines: Sequence[F64], apart: F64 = _HERE, *, closed: bool = False) -> QPainterPath:
+    """Return lines (each (K, 2), screen pixels) as one path; what lies in several of them is inside all the same.
+
+    Args:
+        apart: (S, 2) shifts, pixels: all lines come once with each.
+        closed: each line ends where it began.
+    """
+    drawn = [one for one in lines if len(one) > 1]
     path = QPainterPath()
     if not drawn:
         return path
-    points = np.concatenate(drawn)
-    elements = np.empty(len(points), _ELEMENT)
-    elements["what"], elements["x"], elements["y"] = _LINE, points[:, 0], points[:, 1]
-    elements["what"][np.cumsum([0, *(len(one) for one in drawn[:-1])])] = _MOVE
+    points = np.concatenate([part for one in drawn for part in ((one, one[:1]) if closed else (one,))])
+    lengths = [len(one) + closed for one in drawn]
+    starts = np.cumsum([0, *lengths[:-1]]) + len(points) * np.arange(len(apart))[:, None]
+    placed = (apart[:, None] + points).reshape(-1, 2)
+    elements = np.empty(len(placed), _ELEMENT)
+    elements["what"], elements["x"], elements["y"] = _LINE, placed[:, 0], placed[:, 1]
+    elements["what"][starts.ravel()] = _MOVE
     written = b"".join(
-        (len(points).to_bytes(4, "big"), elements.tobytes(), (0).to_bytes(4, "big"), _WINDING.to_bytes(4, "big"))
+        (len(placed).to_bytes(4, "big"), elements.tobytes(), (0).to_bytes(4, "big"), _WINDING.to_bytes(4, "big"))
     )
     stream = QDataStream(QByteArray(written))
     stream >> path
@@ -58,8 +66,8 @@ def paint_lines(
     """Draw lines (each (K, 2), screen pixels), at least a device's pixel wide; the brush fills them."""
     hair = 1.0 / painter.device().devicePixelRatioF()
     painter.setPen(QPen(colour, hair))
-    apart = [shift * ((width - hair) / 2.0) for shift in _AROUND] if width > hair else _HERE
-    painter.drawPath(path_of([line + shift for shift in apart for line in lines], closed=closed))
+    apart = _AROUND * ((width - hair) / 2.0) if width > hair else _HERE
+    painter.drawPath(path_of(lines, apart, closed=closed))
 
 
 def on_screen(points: F32 | F64, to_screen: QTransform) -> F64:
