@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import os
 import sys
 from pathlib import Path
@@ -34,9 +35,15 @@ def run(options: argparse.Namespace, _console: Console) -> int:
             "There is no screen to open the window on.",
             "Start it on a desktop, or use the commands that need none: see fruitgui --help.",
         )
-    from fruitgui.gui.app import run as open_window
+    collected = gc.isenabled()
+    gc.disable()  # a thousand modules are loaded, none to be collected; looking would take a fifth of a second
+    try:
+        from fruitgui.gui.app import run as open_window
 
-    return open_window(options.folder)
+        return open_window(options.folder)
+    finally:
+        if collected:
+            gc.enable()
 
 
 def has_screen() -> bool:
