@@ -73,11 +73,11 @@ class Application(QObject):
         self._collector.start()
         self._health.start()
         self._housekeeping.start()
+        self.session.running.find_open_lot()
         self._show_states()
         self.window.go_to(opening_step(self.session.states()))
         self.window.show()
         self.session.start_sensors()
-        self.session.running.find_open_lot()
         for damage in self.session.damages:
             self.session.messages.say(self._damaged(damage))
 

@@ -3,114 +3,30 @@
 from __future__ import annotations
 
 import time
-from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QDateTime, QLocale, QObject, QTimer, Signal
 
-from fruitgui.classification.evidence import UNKNOWN
-from fruitgui.errors import FruitguiError, InputError, WorldError
+from fruitgui.errors import FruitguiError, InputError
+from fruitgui.gui.beginning import Begun, LinePlan, begun
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.numbers import count_text
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.progress import Cancelled, Progress
-from fruitgui.records.lesson import Gathering
 from fruitgui.records.lot import Lot, LotPlan
+from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
-from fruitgui.records.totals import KindTotal
-from fruitgui.sensors.feed import Feed
-from fruitgui.station.fruit import Fruit
-from fruitgui.station.live import FLAT_OUT, LIVE, Finished, LiveLine, LiveState, Preview
-from fruitgui.station.model import Model
-from fruitgui.station.sink import CountedFruit, Crop
-from fruitgui.station.station import Station
-from fruitgui.station.waiting import BufferedSink
+from fruitgui.station.live import LiveLine, LiveState, Preview
+from fruitgui.station.noted import NotedSink
 
 T = TypeVar("T")
 
 TICK_MS = 100
 CLOSE_S = 8.0
-
-
-class SetAside:
-    """Keeps unknown fruit so that a person can name them; on the line's thread, and never in the way of counting."""
-
-    def __init__(self, store: Store, source: str) -> None:
-        self._gathering = Gathering(store.teaching, source)
-        self.lost = 0
-
-    @property
-    def fruit(self) -> int:
-        """How many wait to be named."""
-        return self._gathering.fruit
-
-    def take(self, finished: Finished) -> None:
-        """Take a fruit that left, if it is unknown: a `Teacher`."""
-        if finished.fruit.kind == UNKNOWN:
-            self._gathering.take(finished)
-
-    def keep(self) -> None:
-        """Keep what was taken; what cannot be kept is counted all the same, and cannot be named."""
-        try:
-            self._gathering.keep()
-        except WorldError:
-            self.lost += 1
-
-
-class NotedSink:
-    """Keeps fruit in the store, and notes what is durable for the screen.
-
-    Attributes:
-        aside: keeps unknown fruit to be named, where that is wanted.
-    """
-
-    def __init__(self, store: Store) -> None:
-        self._store = store
-        self._noted: deque[CountedFruit] = deque()
-        self.aside: SetAside | None = None
-
-    def commit(self, lot: int, fruit: Fruit, crops: Sequence[Crop]) -> CountedFruit:
-        """Keep one fruit, see `FruitSink.commit`."""
-        counted = self._store.commit(lot, fruit, crops)
-        self._noted.append(counted)
-        if self.aside is not None:
-            self.aside.keep()
-        return counted
-
-    def drain(self) -> list[CountedFruit]:
-        """Return what was noted since the last time."""
-        return [self._noted.popleft() for _ in range(len(self._noted))]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class LinePlan:
-    """What a line is started with.
-
-    Attributes:
-        station: that its sensors belong to.
-        model: reads the model; it takes a moment, so a task calls it.
-        again: makes the sensors anew, for recordings: they are played from their beginning, and wait for the line.
-            None for sensors that run by themselves.
-    """
-
-    station: Station
-    model: Callable[[], Model | None]
-    again: Callable[[], Feed] | None = None
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Begun:
-    """A lot that runs: the feed and the line that counts into it, the kinds it knows, what the lot holds already."""
-
-    feed: Feed
-    line: LiveLine
-    lot: Lot
-    kinds: tuple[str, ...]
-    totals: tuple[KindTotal, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -144,8 +60,9 @@ class Running(QObject):
         self._connected = connected
         self._tasks = tasks
         self._messages = messages
-        self._sink = NotedSink(store)
         self._line: LiveLine | None = None
+        self._sink: NotedSink | None = None
+        self._aside: SetAside | None = None
         self._state: LiveState | None = None
         self.lot: Lot | None = None
         self.kinds: tuple[str, ...] = ()
@@ -173,7 +90,7 @@ class Running(QObject):
     @property
     def unnamed(self) -> int:
         """How many unknown fruit of this run wait to be named."""
-        return 0 if self._sink.aside is None else self._sink.aside.fruit
+        return 0 if self._aside is None else self._aside.fruit
 
     @property
     def previews(self) -> dict[str, Preview]:
@@ -243,32 +160,15 @@ class Running(QObject):
 
         def job(progress: Progress, cancelled: Cancelled) -> Begun:  # noqa: ARG001 - it takes a second or two
             progress(0.0, QCoreApplication.translate("Running", "Starting the line"))
-            return self._started(now, plan, lot)
+            return begun(now, plan, self._store, lot, _source_name())
 
         self._run(QCoreApplication.translate("Running", "Starting the lot"), job, self._begun)
 
-    def _started(self, feed: Feed, plan: LinePlan, begin: Callable[[], Lot]) -> Begun:
-        """Start line and lot, both or neither; on a thread of a task."""
-        if plan.again is not None:
-            feed.stop()
-            feed = plan.again()
-        model = plan.model()
-        aside = None if model is None else SetAside(self._store, _source_name())
-        intake, teacher = LIVE if plan.again is None else FLAT_OUT, None if aside is None else aside.take
-        line = LiveLine(feed, plan.station, model, BufferedSink(self._sink), None, intake, teacher)
-        lot = begin()
-        self._sink.aside = aside
-        totals = self._store.lots.totals(lot.key)
-        line.count_into(None if lot.paused else lot.key)
-        line.start()
-        if plan.again is not None:
-            feed.start()
-        return Begun(feed, line, lot, () if model is None else tuple(model.kinds.kinds), totals)
-
-    def _begun(self, begun: Begun) -> None:
-        self._connected.adopt(begun.feed)
-        self._line, self.lot, self.kinds = begun.line, begun.lot, begun.kinds
-        self.tally = Tally.of(begun.totals)
+    def _begun(self, made: Begun) -> None:
+        self._connected.adopt(made.feed)
+        self._line, self.lot, self.kinds = made.line, made.lot, made.kinds
+        self._sink, self._aside = made.sink, made.aside
+        self.tally = Tally.of(made.totals)
         self._tick.start()
         self._look()
         self.changed.emit()
@@ -310,7 +210,7 @@ class Running(QObject):
             self._state = self._line.state
             self._watch_rig(self._state)
         now_s = time.monotonic()
-        for counted in self._sink.drain():
+        for counted in () if self._sink is None else self._sink.drain():
             self.tally.count(counted.fruit, now_s)
         self.ticked.emit()
 

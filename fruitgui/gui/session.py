@@ -9,12 +9,13 @@ from typing import Any, TypeVar
 
 from PySide6.QtCore import QObject, Signal, SignalInstance
 
+from fruitgui.gui.beginning import LinePlan
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.kind_book import KindBook
 from fruitgui.gui.lot_words import LotWords, lot_words
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.recorder import Recorder
-from fruitgui.gui.running import LinePlan, Running
+from fruitgui.gui.running import Running
 from fruitgui.gui.saving import KeptValue, Saving
 from fruitgui.gui.source_runner import SourceRunner
 from fruitgui.gui.steadiness import SensorsSteadiness

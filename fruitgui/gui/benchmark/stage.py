@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from fruitgui.evaluation.demo_line import set_up_line
-from fruitgui.gui.running import LinePlan
+from fruitgui.gui.beginning import LinePlan
 from fruitgui.gui.session import Session
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.store import open_store

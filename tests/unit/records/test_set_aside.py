@@ -1,4 +1,4 @@
-"""What the running line sets aside."""
+"""Unknown fruit of a lot wait to be named; they are counted whether they can be kept for it or not."""
 
 from __future__ import annotations
 
@@ -7,10 +7,11 @@ import pytest
 
 from fruitgui.classification.evidence import UNKNOWN, Evidence
 from fruitgui.errors import WorldError
-from fruitgui.gui.running import NotedSink, SetAside
-from fruitgui.gui.session import Session
-from fruitgui.records.lot import LotPlan
+from fruitgui.records.lot import Lot
+from fruitgui.records.set_aside import SetAside
+from fruitgui.records.store import Store
 from fruitgui.station.live import Finished
+from fruitgui.station.noted import NotedSink
 from tests.unit.station.fruit_made import made_fruit
 
 
@@ -19,31 +20,28 @@ def _finished(number: int, kind: str) -> Finished:
     return Finished(made_fruit(number, kind), (), evidence, ("kinect_1",))
 
 
-def test_unknown_fruit_wait_to_be_named_and_others_do_not(session: Session) -> None:
-    lot = session.store.lots.start(LotPlan("1"))
-    sink = NotedSink(session.store)
-    sink.aside = SetAside(session.store, "Unknown, today")
+def test_unknown_fruit_wait_to_be_named_and_others_do_not(store: Store, lot: Lot) -> None:
+    sink, aside = NotedSink(store), SetAside(store.teaching, "Unknown, today")
+    sink.then = aside.keep
     for number, kind in enumerate([UNKNOWN, "lemon", UNKNOWN], start=1):
         finished = _finished(number, kind)
-        sink.aside.take(finished)
+        aside.take(finished)
         sink.commit(lot.key, finished.fruit, ())
-    assert sink.aside.fruit == session.store.teaching.waiting() == 2
+    assert aside.fruit == store.teaching.waiting() == 2
     assert [one.number for one in sink.drain()] == [1, 2, 3]
-    assert sink.drain() == []
 
 
 def test_a_fruit_that_cannot_be_set_aside_is_counted_all_the_same(
-    session: Session, monkeypatch: pytest.MonkeyPatch
+    store: Store, lot: Lot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    lot = session.store.lots.start(LotPlan("1"))
-    sink = NotedSink(session.store)
-    sink.aside = SetAside(session.store, "Unknown, today")
+    sink, aside = NotedSink(store), SetAside(store.teaching, "Unknown, today")
+    sink.then = aside.keep
 
     def full(*_: object) -> None:
         raise WorldError("disk_full", "The disk is full.", "Make room.")
 
-    monkeypatch.setattr(session.store.teaching, "add", full)
+    monkeypatch.setattr(store.teaching, "add", full)
     finished = _finished(1, UNKNOWN)
-    sink.aside.take(finished)
+    aside.take(finished)
     assert sink.commit(lot.key, finished.fruit, ()).number == 1
-    assert (sink.aside.fruit, sink.aside.lost) == (0, 1)
+    assert (aside.fruit, aside.lost) == (0, 1)

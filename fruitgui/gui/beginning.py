@@ -1,0 +1,86 @@
+"""How a line begins to count into a lot: what it needs, and both started, or neither; on a thread of a task."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from fruitgui.records.lot import Lot
+from fruitgui.records.set_aside import SetAside
+from fruitgui.records.store import Store
+from fruitgui.records.totals import KindTotal
+from fruitgui.sensors.feed import Feed
+from fruitgui.station.live import FLAT_OUT, LIVE, LiveLine
+from fruitgui.station.model import Model
+from fruitgui.station.noted import NotedSink
+from fruitgui.station.station import Station
+from fruitgui.station.waiting import BufferedSink
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LinePlan:
+    """What a line is started with.
+
+    Attributes:
+        station: that its sensors belong to.
+        model: reads the model; it takes a moment, so a task calls it.
+        again: makes the sensors anew, for recordings: they are played from their beginning, and wait for the line.
+            None for sensors that run by themselves.
+    """
+
+    station: Station
+    model: Callable[[], Model | None]
+    again: Callable[[], Feed] | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Begun:
+    """A lot that runs.
+
+    Attributes:
+        feed, line: that runs, and counts into the lot.
+        lot: that is counted into.
+        sink: tells what is durable.
+        aside: keeps unknown fruit to be named; None without a model, to which every fruit is unknown.
+        kinds: that the model knows.
+        totals: what the lot holds already.
+    """
+
+    feed: Feed
+    line: LiveLine
+    lot: Lot
+    sink: NotedSink
+    aside: SetAside | None
+    kinds: tuple[str, ...]
+    totals: tuple[KindTotal, ...]
+
+
+def begun(feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], source: str) -> Begun:
+    """Start line and lot, both or neither.
+
+    Args:
+        feed: the sensors that run now; stopped where the plan makes them anew.
+        plan: what the line is started with.
+        store: keeps fruit.
+        begin: begins the lot, or goes on with one.
+        source: where unknown fruit of this run are said to come from.
+
+    Raises:
+        FruitguiError: the sensors, the model or the store cannot be used.
+    """
+    if plan.again is not None:
+        feed.stop()
+        feed = plan.again()
+    model, sink = plan.model(), NotedSink(store)
+    aside = None if model is None else SetAside(store.teaching, source)
+    if aside is not None:
+        sink.then = aside.keep
+    intake, teacher = LIVE if plan.again is None else FLAT_OUT, None if aside is None else aside.take
+    line = LiveLine(feed, plan.station, model, BufferedSink(sink), None, intake, teacher)
+    lot = begin()
+    totals = store.lots.totals(lot.key)
+    line.count_into(None if lot.paused else lot.key)
+    line.start()
+    if plan.again is not None:
+        feed.start()
+    return Begun(feed, line, lot, sink, aside, () if model is None else tuple(model.kinds.kinds), totals)
