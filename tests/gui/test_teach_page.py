@@ -210,9 +210,9 @@ def test_labels_go_out_and_come_in_again(qtbot: QtBot, taught: Session, page: Te
 
 
 def test_a_recording_that_is_opened_twice_adds_nothing_twice(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
-    page.room.open(taught.workspace.folder / RECORDING)
+    page.room.lessons.open(taught.workspace.folder / RECORDING)
     assert page.main_action is page.stop
-    qtbot.waitUntil(lambda: not page.room.in_lesson, timeout=LONG_MS)
+    qtbot.waitUntil(lambda: not page.room.lessons.running, timeout=LONG_MS)
     _rest(qtbot, page)
     assert len(taught.store.teaching.briefs()) == FRUIT
     assert "were here already" in taught.messages.history[-1].what
@@ -221,10 +221,10 @@ def test_a_recording_that_is_opened_twice_adds_nothing_twice(qtbot: QtBot, taugh
 def test_a_recording_comes_in_and_can_be_stopped(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
     page.room.remove(list(page.room.desk.fruit))
     _rest(qtbot, page)
-    page.room.open(taught.workspace.folder / RECORDING)
+    page.room.lessons.open(taught.workspace.folder / RECORDING)
     qtbot.waitUntil(lambda: len(page.room.desk.fruit) > 0, timeout=LONG_MS)
     page.stop.trigger()
-    qtbot.waitUntil(lambda: not page.room.in_lesson, timeout=LONG_MS)
+    qtbot.waitUntil(lambda: not page.room.lessons.running, timeout=LONG_MS)
     _rest(qtbot, page)
     assert len(page.model.keys) == len(taught.store.teaching.briefs()) > 0
 
@@ -237,7 +237,7 @@ def test_the_line_is_watched_until_it_is_enough(qtbot: QtBot, taught: Session, p
     assert page.main_action is page.stop
     qtbot.waitUntil(lambda: len(page.room.desk.fruit) > FRUIT, timeout=LONG_MS)
     page.stop.trigger()
-    qtbot.waitUntil(lambda: not page.room.in_lesson, timeout=LONG_MS)
+    qtbot.waitUntil(lambda: not page.room.lessons.running, timeout=LONG_MS)
     _rest(qtbot, page)
     (line,) = [one for one in page.room.sources(named=False) if one != RECORDING]
     assert line.startswith("Line, ")

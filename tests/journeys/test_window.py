@@ -125,10 +125,10 @@ def let_run(operator: Operator) -> None:
 def teach(operator: Operator, shop: Shop) -> None:
     page = operator.go(Step.TEACH, TeachPage)
     operator.press(page.watch)
-    operator.wait(lambda: page.room.in_lesson)
+    operator.wait(lambda: page.room.lessons.running)
     let_run(operator)
     operator.go(Step.TEACH, TeachPage)
-    operator.wait(lambda: not page.room.in_lesson and not page.room.busy)
+    operator.wait(lambda: not page.room.lessons.running and not page.room.busy)
     assert len(page.room.desk.fruit) == OPTIONS.fruit
     while page.model.keys:
         name(operator, page, shop.rigs[-1])

@@ -10,26 +10,22 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from fruitgui.errors import FruitguiError
-from fruitgui.gui.health import warning_message
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.teach import work
 from fruitgui.gui.steps.teach.desk import Desk
+from fruitgui.gui.steps.teach.lessons import Lessons
 from fruitgui.gui.tasks import Job, Task
 from fruitgui.records.correcting import checked_kind
 from fruitgui.records.insight import Insight
 from fruitgui.records.journal import Step
 from fruitgui.records.labels_file import LabelsRead
-from fruitgui.records.lesson import Lesson
 from fruitgui.station.workflow import TaughtFacts
 
 log = logging.getLogger(__name__)
 
 T = TypeVar("T")
-
-COME_IN_MS = 700
-"""How often one looks for fruit that came in, while a lesson runs."""
 
 NOTE_MS = 300
 """The other steps hear of what is taught once a person pauses; telling them costs more than naming a fruit."""
@@ -43,6 +39,7 @@ class Classroom(QObject):
 
     Attributes:
         desk: the fruit, as they are.
+        lessons: let fruit come in.
         changed: the desk.
         busy_changed: a lesson or another job began or ended.
         touched: keys of fruit that undoing or redoing changed, for the screen to show.
@@ -58,28 +55,21 @@ class Classroom(QObject):
         self._teaching = session.store.teaching
         self._saving = 0
         self._named = 0
-        self._looked_at = False
-        self._lesson: Task[Lesson] | None = None
+        self.lessons = Lessons(session, self)
+        self.lessons.came_in.connect(self.load)
+        self.lessons.changed.connect(self.busy_changed)
         self._look: Task[Insight] | None = None
         self.desk = Desk()
         self.can_undo = self.can_redo = False
         self.queries = Queries(self)
         self.queries.failed.connect(self._fail)
-        self._come_in = QTimer(self, interval=COME_IN_MS)
-        self._come_in.timeout.connect(self.load)
         self._note_soon = QTimer(self, singleShot=True, interval=NOTE_MS)
         self._note_soon.timeout.connect(self._ask_facts)
-        session.running.changed.connect(self._line_changed)
 
     @property
     def busy(self) -> bool:
         """Whether something is not saved, or not told to the other steps yet."""
         return self.queries.busy or self._note_soon.isActive()
-
-    @property
-    def in_lesson(self) -> bool:
-        """Whether fruit come in."""
-        return self._lesson is not None
 
     @property
     def looking(self) -> bool:
@@ -142,24 +132,6 @@ class Classroom(QObject):
         """Do again what was taken back last."""
         self._step(self._teaching.redo, back=False)
 
-    def watch(self) -> None:
-        """Let fruit come in from the sensors that run."""
-        feed, station = self._session.connected.feed, self._session.station
-        if feed is not None and station is not None:
-            self._teach(self.tr("Watching the line"), work.watching(self._session.store, feed, station))
-
-    def open(self, path: Path) -> None:
-        """Let the fruit of a recording come in."""
-        station = self._session.station
-        if station is not None:
-            job = work.opening(self._session.store, path, station)
-            self._teach(self.tr("Watching {name}").format(name=path.name), job)
-
-    def stop_lesson(self) -> None:
-        """It is enough."""
-        if self._lesson is not None:
-            self._lesson.cancel()
-
     def look_through(self) -> None:
         """Ask the model so far: for suggestions, what to name first, likely mistakes."""
         if self._look is None and self.desk.can_look_through:
@@ -191,22 +163,12 @@ class Classroom(QObject):
 
     def enter(self) -> None:
         """Somebody looks: read what is taught, and go on reading while fruit come in."""
-        self._looked_at = True
         self.load()
-        self._watch_coming()
+        self.lessons.look(True)
 
     def leave(self) -> None:
         """Nobody looks any more; a lesson goes on."""
-        self._looked_at = False
-        self._watch_coming()
-
-    def _watch_coming(self) -> None:
-        """Look for fruit while a lesson runs, and while a lot does, which sets unknown ones aside."""
-        coming = self._looked_at and (self.in_lesson or self._session.running.running)
-        if coming and not self._come_in.isActive():
-            self._come_in.start()
-        elif not coming:
-            self._come_in.stop()
+        self.lessons.look(False)
 
     # what comes back
 
@@ -269,40 +231,6 @@ class Classroom(QObject):
         marks = self._session.marks
         if marks.kinds != self.desk.order:
             self._session.save_marks(marks.model_copy(update={"kinds": self.desk.order}))
-
-    def _teach(self, name: str, job: Job[Lesson]) -> None:
-        if self._lesson is not None:
-            return
-        self._lesson = self._session.tasks.run(name, job)
-        self._lesson.succeeded.connect(self._learned)
-        self._lesson.failed.connect(self._session.messages.error)
-        self._lesson.ended.connect(self._lesson_ended)
-        self._watch_coming()
-        self.busy_changed.emit()
-
-    def _learned(self, lesson: Lesson) -> None:
-        messages = self._session.messages
-        if lesson.fruit or not lesson.known:
-            messages.good(self.tr("{count} fruit came in from {source}.").format(
-                count=lesson.fruit, source=lesson.source))  # fmt: skip
-        else:
-            messages.info(self.tr("All {count} fruit of {source} were here already.").format(
-                count=lesson.known, source=lesson.source))  # fmt: skip
-        if lesson.warnings:
-            what = warning_message(lesson.warnings[0]).what
-            messages.warn(what, self.tr("The fruit that came in can be named all the same."))
-
-    def _lesson_ended(self) -> None:
-        self._lesson = None
-        self._watch_coming()
-        self.load()
-        self.busy_changed.emit()
-
-    def _line_changed(self) -> None:
-        """A lot goes before a lesson: the line has no time for both."""
-        if self._session.running.running:
-            self.stop_lesson()
-        self._watch_coming()
 
     def _take_insight(self, insight: Insight) -> None:
         self.desk.insight = insight

@@ -4,34 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QKeySequence, QShortcut
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QInputDialog, QMessageBox, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QStackedLayout, QVBoxLayout, QWidget
 
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.page import StepPage
+from fruitgui.gui.steps.teach import work
+from fruitgui.gui.steps.teach.advice import advice, nothing_words
+from fruitgui.gui.steps.teach.asking import Asking
 from fruitgui.gui.steps.teach.classroom import Classroom
-from fruitgui.gui.steps.teach.densities import DensitiesDialog
 from fruitgui.gui.steps.teach.desk import Pile, Shelf
+from fruitgui.gui.steps.teach.field_keys import FieldKeys
 from fruitgui.gui.steps.teach.fruit_model import FruitModel
 from fruitgui.gui.steps.teach.grid import FruitGrid
 from fruitgui.gui.steps.teach.kind_keys import KindKeys
 from fruitgui.gui.steps.teach.shelves import Shelves
 from fruitgui.gui.steps.teach.side_panel import SidePanel
 from fruitgui.gui.steps.teach.tile import Tiles
-from fruitgui.gui.theme.kinds import UNKNOWN
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
-from fruitgui.gui.view_pictures import ViewPictures, view_pictures
 from fruitgui.gui.widgets.cards import EmptyPlace
-from fruitgui.measurement.fruit import Size
 from fruitgui.station.workflow import Step
 
 SIZE_STEP = 32
-Seen = tuple[int, tuple[ViewPictures, ...], Size]
 
 
 class TeachPage(StepPage):
@@ -41,6 +39,7 @@ class TeachPage(StepPage):
         super().__init__(parent)
         self._session = session
         self.room = Classroom(session, self)
+        self._asking = Asking(self.room, self)
         self._tiles = Tiles(self.room.desk, session.looks)
         self._seen = Queries(self)
         self._panel_key: int | None = None
@@ -126,20 +125,20 @@ class TeachPage(StepPage):
         self.shelves.resized.connect(self.grid.resize_tiles)
         self.grid.chosen_changed.connect(self._show_chosen)
         self.panel.measured.connect(room.measure)
-        self.watch.triggered.connect(room.watch)
-        self.open.triggered.connect(self._ask_for_recording)
-        self.stop.triggered.connect(room.stop_lesson)
+        self.watch.triggered.connect(room.lessons.watch)
+        self.open.triggered.connect(self._asking.recording)
+        self.stop.triggered.connect(room.lessons.stop)
         self.suggest.triggered.connect(room.look_through)
         self.train.triggered.connect(partial(self.step_wanted.emit, Step.TRAIN))
         self.undo.triggered.connect(room.undo)
         self.redo.triggered.connect(room.redo)
         self.clear.triggered.connect(self._clear)
-        self.remove.triggered.connect(self._ask_to_remove)
+        self.remove.triggered.connect(self._remove)
         self.weigh.triggered.connect(self._ask_densities)
         session.kinds.changed.connect(self._show_chosen)
         self.see_depth.toggled.connect(self.grid.show_depth)
-        self.take_labels.triggered.connect(self._ask_for_labels)
-        self.give_labels.triggered.connect(self._ask_where_to_export)
+        self.take_labels.triggered.connect(self._asking.labels)
+        self.give_labels.triggered.connect(self._asking.where_to_export)
         self._connect_keys()
 
     def _connect_keys(self) -> None:
@@ -151,21 +150,8 @@ class TeachPage(StepPage):
             shortcut = QShortcut(QKeySequence(key), self)
             shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             shortcut.activated.connect(does)
-        for field in (self.panel.volume, self.panel.mass, self.kinds.new):
-            field.installEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
-        """Go back to the fruit with Escape, or once a measure is entered, so that keys name fruit again."""
-        if event.type() == QEvent.Type.KeyPress:
-            key = event.key()  # type: ignore[attr-defined]
-            enter = key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and watched is self.panel.mass
-            if key == Qt.Key.Key_Escape or enter:
-                self.grid.setFocus()
-                return True
-            if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and watched is self.panel.volume:
-                self.panel.mass.setFocus()
-                return True
-        return super().eventFilter(watched, event)
+        panel = self.panel
+        FieldKeys({panel.volume: panel.mass, panel.mass: self.grid, self.kinds.new: None}, self.grid, self)
 
     def _say_words(self) -> None:
         for action, text, tip, key in (
@@ -201,33 +187,9 @@ class TeachPage(StepPage):
         self.grid.show_keys(keys)
         self._stack.setCurrentWidget(self.grid if keys else self.empty)
         if not keys:
-            self.empty.show_words(*self._nothing())
+            self.empty.show_words(*nothing_words(desk, self._shelf, in_lesson=self.room.lessons.running))
         self._show_chosen()
         self._show_actions()
-
-    def _nothing(self) -> tuple[str, str]:
-        if self._shelf.pile is Pile.NAMED:
-            return self.tr("Nothing is named yet"), self.tr("Fruit that were given a kind can be looked over here.")
-        if self._shelf.pile is Pile.DOUBTFUL:
-            return self._no_doubts()
-        if self.room.in_lesson:
-            return self.tr("Fruit will appear here"), self.tr("Each one comes in once it has left the belt.")
-        if self.room.desk.fruit:
-            return self.tr("Every fruit has a kind"), self.tr("Let more fruit pass, or go on to training.")
-        return (
-            self.tr("No fruit yet"),
-            self.tr("Watch the line while fruit of each kind pass, or open a recording; each fruit appears here with "
-                    "its picture, and a key says what it is."),
-        )  # fmt: skip
-
-    def _no_doubts(self) -> tuple[str, str]:
-        if self.room.desk.insight.guesses or self.room.desk.insight.mistakes:
-            return self.tr("No likely mistakes"), self.tr("A model that never saw them agrees with every kind given.")
-        return (
-            self.tr("Nobody looked for mistakes yet"),
-            self.tr("Press “Suggest” once some fruit of two kinds are named: each is then judged by a model that "
-                    "never saw it."),
-        )  # fmt: skip
 
     def _show_chosen(self) -> None:
         desk, chosen = self.room.desk, self.grid.chosen()
@@ -241,13 +203,12 @@ class TeachPage(StepPage):
             self.panel.show_fruit(one, self._tiles.tile(key), self._densities().get(one.kind or ""), len(chosen))
             if key != self._panel_key:
                 self._panel_key = key
-                self._seen.ask("fruit", partial(_look, self._session, key), self._show_views)
+                self._seen.ask("fruit", work.looking_at(self._session.store, key), self._show_views)
         for action in (self.clear, self.remove):
             action.setEnabled(bool(chosen))
 
-    def _show_views(self, seen: Seen | None) -> None:
-        if seen is not None:
-            self.panel.show_views(*seen)
+    def _show_views(self, seen: work.Seen) -> None:
+        self.panel.show_views(*seen)
 
     def _show_touched(self, keys: list[int]) -> None:
         """Bring back into view what undoing changed."""
@@ -259,20 +220,22 @@ class TeachPage(StepPage):
         room, session = self.room, self._session
         station = session.station is not None
         running = session.running.running
-        self.watch.setEnabled(station and session.connected.feed is not None and not running and not room.in_lesson)
-        self.open.setEnabled(station and not running and not room.in_lesson)
+        self.watch.setEnabled(
+            station and session.connected.feed is not None and not running and not room.lessons.running
+        )
+        self.open.setEnabled(station and not running and not room.lessons.running)
         self.suggest.setEnabled(room.desk.can_look_through and not room.looking)
         self.undo.setEnabled(room.can_undo)
         self.redo.setEnabled(room.can_redo)
         self.weigh.setEnabled(bool(room.desk.order))
         self.take_labels.setEnabled(bool(room.desk.fruit))
         self.give_labels.setEnabled(any(one.kind is not None for one in room.desk.fruit.values()))
-        if room.in_lesson:
+        if room.lessons.running:
             self.offer(self.stop, self.suggest)
         else:
             main = self._most_likely()
             self.offer(main, *(one for one in (self.suggest, self.open, self.watch) if one is not main))
-        self.say(self._advice())
+        self.say(advice(room.desk, self._shelf, calibrated=station, running=running))
 
     def _most_likely(self) -> QAction:
         """Return what the person most likely wants to do next, beside naming fruit."""
@@ -282,23 +245,6 @@ class TeachPage(StepPage):
         if self.suggest.isEnabled() and desk.keys(Shelf()):
             return self.suggest
         return self.watch if self.watch.isEnabled() else self.open
-
-    def _advice(self) -> str:
-        room, session = self.room, self._session
-        if session.station is None:
-            return self.tr("Calibrate the sensors first; then fruit can come in.")
-        if session.running.running:
-            return self.tr("A lot is running; fruit can be named meanwhile, but none come in until it is ended.")
-        waiting = len(room.desk.keys(Shelf()))
-        if self._shelf.pile is Pile.DOUBTFUL and room.desk.keys(self._shelf):
-            return self.tr("Look closely: a key keeps or changes the kind.")
-        if waiting and not room.desk.order:
-            return self.tr("Type the name of the first kind at the top; the chosen fruit get it.")
-        if waiting:
-            return self.tr("Press the key of a kind, and go on to the next fruit.")
-        if room.desk.done:
-            return self.tr("Enough is taught; go on to training.")
-        return self.tr("Let fruit of every kind come in.")
 
     # what is done
 
@@ -342,65 +288,15 @@ class TeachPage(StepPage):
     def _clear(self) -> None:
         self.room.clear(self.grid.chosen())
 
+    def _remove(self) -> None:
+        self._asking.remove(self.grid.chosen())
+
     def _resize(self, by: int) -> None:
         self.shelves.scale.setValue(self.shelves.scale.value() + by)
-
-    def _ask_to_remove(self) -> None:
-        chosen = self.grid.chosen()
-        box = QMessageBox(QMessageBox.Icon.Question, self.tr("Remove for good"),
-                          self.tr("Remove {count} fruit with their pictures? This cannot be undone.").format(
-                              count=len(chosen)), parent=self)  # fmt: skip
-        keep = box.addButton(self.tr("Keep"), QMessageBox.ButtonRole.RejectRole)
-        remove = box.addButton(self.tr("Remove"), QMessageBox.ButtonRole.DestructiveRole)
-        remove.clicked.connect(partial(self.room.remove, chosen))
-        box.setDefaultButton(keep)
-        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        box.open()
 
     def _densities(self) -> dict[str, float]:
         """Return the density of each kind, g/ml: typed, else by its reference fruit."""
         return {**self.room.desk.densities(), **self._session.kinds.densities_g_ml}
 
     def _ask_densities(self) -> None:
-        lines = [line for line in self.room.desk.lines() if line.kind != UNKNOWN]
-        dialog = DensitiesDialog(lines, self._tiles.marks, self._session.kinds.densities_g_ml, self)
-        dialog.accepted.connect(partial(self._type_densities, dialog))
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.open()
-
-    def _type_densities(self, dialog: DensitiesDialog) -> None:
-        self._session.kinds.type_densities(dialog.typed)
-
-    def _ask_for_recording(self) -> None:
-        kinds = self.tr("Recordings (*.mcap *.bag);;All files (*)")
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("Choose a recording"), "", kinds)
-        if path:
-            self.room.open(Path(path))
-
-    def _ask_for_labels(self) -> None:
-        source = self._ask_source(self.room.sources(named=False), self.tr("For which fruit are the labels?"))
-        if source:
-            path, _ = QFileDialog.getOpenFileName(self, self.tr("Choose a labels file"), "", self.tr("Labels (*.csv)"))
-            if path:
-                self.room.import_labels(source, Path(path))
-
-    def _ask_where_to_export(self) -> None:
-        source = self._ask_source(self.room.sources(named=True), self.tr("The labels of which fruit?"))
-        if source:
-            name = f"{Path(source).stem.replace(':', '.')}.csv"
-            path, _ = QFileDialog.getSaveFileName(self, self.tr("Write labels"), name, self.tr("Labels (*.csv)"))
-            if path:
-                self.room.export(source, Path(path))
-
-    def _ask_source(self, sources: list[str], question: str) -> str:
-        """Return the one source, or the one that a person chooses among several; empty for none."""
-        if len(sources) < 2:
-            return sources[0] if sources else ""
-        chosen, good = QInputDialog.getItem(self, self.tr("Labels"), question, sources, 0, False)
-        return chosen if good else ""
-
-
-def _look(session: Session, key: int) -> Seen:
-    """Return all views of a fruit with its size; any thread may call."""
-    views = view_pictures(session.store.crops.of("taught", key))
-    return key, views, session.store.teaching.get(key).fruit.size
+        self._asking.densities(self.room.desk.lines(), self._tiles.marks, self._session.kinds)

@@ -9,6 +9,8 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 
 from fruitgui.gui.tasks import Job
+from fruitgui.gui.view_pictures import ViewPictures, view_pictures
+from fruitgui.measurement.fruit import Size
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.insight import Insight, look_through
 from fruitgui.records.labels_file import LabelsRead, import_labels, write_labels
@@ -23,11 +25,17 @@ translate = QCoreApplication.translate
 SEED = 0
 
 Loaded = tuple[list[Brief], TaughtFacts | None]
+Seen = tuple[int, tuple[ViewPictures, ...], Size]
 
 
 def loading(store: Store) -> Callable[[], Loaded]:
     """Return what reads all that is taught."""
     return lambda: (store.teaching.briefs(), store.teaching.facts())
+
+
+def looking_at(store: Store, key: int) -> Callable[[], Seen]:
+    """Return what reads all views of a fruit, with its size."""
+    return lambda: (key, view_pictures(store.crops.of("taught", key)), store.teaching.get(key).fruit.size)
 
 
 def watching(store: Store, feed: Feed, station: Station) -> Job[Lesson]:
