@@ -18,6 +18,7 @@ from fruitgui.gui.health import HealthWatch
 from fruitgui.gui.help_window import HelpWindow
 from fruitgui.gui.housekeeping import Housekeeping
 from fruitgui.gui.logs import Logs
+from fruitgui.gui.memory import GivingBack
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.pages import make_pages
 from fruitgui.gui.queries import Queries
@@ -64,6 +65,7 @@ class Application(QObject):
         )
         self._health = HealthWatch(self.session, self.window.top_bar, self)
         self._housekeeping = Housekeeping(self.session, self)
+        self._giving_back = GivingBack(self)
         self._connect()
 
     def start(self) -> None:
@@ -73,6 +75,7 @@ class Application(QObject):
         self._collector.start()
         self._health.start()
         self._housekeeping.start()
+        self._giving_back.start()
         self.session.running.find_open_lot()
         self._show_states()
         self.window.go_to(opening_step(self.session.states()))
@@ -97,6 +100,7 @@ class Application(QObject):
         """End all that runs; it was saved as it came, or is now."""
         self._housekeeping.stop()
         self._health.stop()
+        self._giving_back.stop()
         for one in self.window.findChildren(Queries):
             one.finish()
         self.session.close()
