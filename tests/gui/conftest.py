@@ -19,6 +19,9 @@ from pytestqt.qtbot import QtBot
 from fruitgui.gui.session import Session
 from fruitgui.gui.theme.theme import Theme, load_fonts
 from fruitgui.station.workspace import open_workspace
+from tests.window.patience import qtbot
+
+__all__ = ["qtbot"]
 
 END_S = 20.0
 

@@ -32,9 +32,10 @@ from fruitgui.station.live import Phase
 from fruitgui.station.workflow import State, Step
 from tests.window.guard import Guard, guard
 from tests.window.operating import Operator, operate
+from tests.window.patience import qtbot
 from tests.window.resting_rig import RestingRig, Shop
 
-__all__ = ["guard"]
+__all__ = ["guard", "qtbot"]
 
 pytestmark = [pytest.mark.xdist_group("window journey"), pytest.mark.usefixtures("no_leaked_threads")]
 
