@@ -70,8 +70,7 @@ class _Work:
             self.patient.clear()
 
     def wait_for_changes(self, timeout_s: float) -> bool:
-        """Wait until nothing is asked any more and all changes are made; tell whether they were, in that time."""
-        self.forget_questions()
+        """Wait until all changes are made; tell whether they were, in that time."""
         with self._more:
             return self._more.wait_for(lambda: not (self._in_hand or self.changes), timeout_s)
 
@@ -146,10 +145,14 @@ class Queries(QObject):
 
     def finish(self, timeout_s: float = END_S) -> bool:
         """Forget all questions, and wait until all changes are made and told; tell whether they were, in that time."""
-        self._newest.clear()
+        self.rest()
         made = self._work.wait_for_changes(timeout_s)
         self._tell()
         return made
+
+    def wait_for_changes(self) -> None:
+        """Wait until all changes are made; for jobs on threads of their own, never for the window."""
+        self._work.wait_for_changes(END_S)
 
     def _ask(self, queue: deque[_Asked], asked: _Asked) -> None:
         before = self._newest.get(asked.name)

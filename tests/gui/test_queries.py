@@ -86,3 +86,48 @@ def test_what_fails_is_told_and_the_next_is_asked(qtbot: QtBot, queries: Queries
     qtbot.waitUntil(lambda: answers == [3])
     assert [error.code for error in told] == ["disk_full", "unexpected"]
     qtbot.waitUntil(lambda: not queries.busy)
+
+
+def test_a_job_waits_for_the_changes_before_it_and_closing_for_all(qtbot: QtBot, queries: Queries) -> None:
+    gate, done, told, waited = threading.Event(), [], [], threading.Event()
+    queries.change(lambda: gate.wait(20), lambda _: told.append("first"))
+    queries.change(lambda: done.append("second"), lambda _: told.append("second"))
+
+    def job() -> None:
+        queries.wait_for_changes()
+        done.append("job")
+        waited.set()
+
+    thread = threading.Thread(target=job)
+    thread.start()
+    assert not waited.wait(0.05)
+    gate.set()
+    thread.join()
+    assert done == ["second", "job"]
+    queries.ask("question", lambda: done.append("question"), lambda _: told.append("question"))
+    queries.change(lambda: done.append("third"), lambda _: told.append("third"))
+    assert queries.finish()
+    assert "third" in done
+    assert told == ["first", "second", "third"], "what was only asked is not told any more"
+    qtbot.waitUntil(lambda: not queries.busy)
+
+
+def test_the_thread_lingers_for_the_next_question_and_then_ends(
+    qtbot: QtBot, queries: Queries, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    threads: list[threading.Thread] = []
+
+    def ask() -> None:
+        queries.ask("a", lambda: threads.append(threading.current_thread()), lambda _: None)
+        qtbot.waitUntil(lambda: not queries.busy)
+
+    monkeypatch.setattr("fruitgui.gui.queries.LINGER_S", 60.0)
+    ask()
+    ask()
+    assert threads[0] is threads[1], "beginning a thread costs the window more than a question does"
+    monkeypatch.setattr("fruitgui.gui.queries.LINGER_S", 0.0)
+    ask()
+    assert threads[2] is threads[0]
+    qtbot.waitUntil(lambda: not threads[0].is_alive())
+    ask()
+    assert threads[3] is not threads[0]

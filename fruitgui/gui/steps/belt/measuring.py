@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass
 
+import numpy as np
 from PySide6.QtCore import QCoreApplication
 
 from fruitgui.gui.tasks import Job
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.sensors.feed import Feed
 from fruitgui.station.belt_job import measure_belt
+from fruitgui.station.belt_setting import PlanMotion, belt_pose
 from fruitgui.station.station import Station
 from fruitgui.tracking.belt import BeltMotion
 
@@ -42,3 +45,9 @@ def views_text(said: str) -> str:
     if match is None:
         return said
     return translate("Belt", "{count} views of passing fruit").format(count=match[1])
+
+
+def plan_motion(station: Station, motion: BeltMotion) -> PlanMotion:
+    """Return a motion of the reference frame on the plan."""
+    vx, vy, _ = belt_pose(station).turn(motion.velocity_m_s)
+    return PlanMotion(float(np.hypot(vx, vy)), math.atan2(vy, vx))

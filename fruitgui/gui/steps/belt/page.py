@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import partial
 
 import numpy as np
@@ -13,10 +12,11 @@ from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QStackedWidget, QVBoxLay
 from fruitgui.frame import F64
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.belt.advice import advice
 from fruitgui.gui.steps.belt.backdrop import Backdrop
 from fruitgui.gui.steps.belt.draft import Draft, added, draft_of, moved, removed, saved_in, undone, with_measured
-from fruitgui.gui.steps.belt.measuring import Motion, measuring
-from fruitgui.gui.steps.belt.projection import Projection, Through, above
+from fruitgui.gui.steps.belt.measuring import Motion, measuring, plan_motion
+from fruitgui.gui.steps.belt.projection import Projection, Through, above, motion_arrow
 from fruitgui.gui.steps.belt.region_canvas import RegionCanvas
 from fruitgui.gui.steps.belt.side_panel import SidePanel
 from fruitgui.gui.steps.belt.tool_row import ABOVE, ToolRow
@@ -26,11 +26,10 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace
 from fruitgui.sensors.feed import Feed
-from fruitgui.station.belt_setting import PlanMotion, area_m2, belt_pose
+from fruitgui.station.belt_setting import area_m2
 from fruitgui.station.fingerprint import calibration_fingerprint
 from fruitgui.station.station import Station
 from fruitgui.station.workflow import Step
-from fruitgui.tracking.belt import BeltMotion
 
 DRAW_MS = 125
 SIDE_WIDTH = 344
@@ -195,7 +194,9 @@ class BeltPage(StepPage):
     def _show_draft(self) -> None:
         draft = self._draft
         if draft is not None:
-            self.canvas.show_region(draft.corners_m, draft.axis_rad, _arrow(draft, self.canvas.view))
+            self.canvas.show_region(
+                draft.corners_m, draft.axis_rad, motion_arrow(draft.motion, draft.corners_m, self.canvas.view)
+            )
             self.tools.show_region(len(draft.corners_m), area_m2(draft.corners_m))
             self.side.show_draft(draft, self._spread_m_s)
         self.side.busy(self._task is not None, ready=self._feed() is not None)
@@ -211,16 +212,7 @@ class BeltPage(StepPage):
         self.undo_action.setEnabled(draft.before is not None)
         self.save_action.setEnabled(not draft.problem and self._task is None)
         self.offer(self.on_action if done else self.save_action, self.undo_action)
-        self.say(self._advice(draft, done))
-
-    def _advice(self, draft: Draft, done: bool) -> str:
-        if draft.problem == "heights":
-            return self.tr("The tallest fruit must be taller than the shortest.")
-        if done:
-            return self.tr("The belt is set. Drag a corner to change it.")
-        if self._task is not None:
-            return self.tr("Fruit must pass before the sensors now.")
-        return self.tr("Drag the corners to where fruit may be, set how the belt moves, then save.")
+        self.say(advice(draft, done=done, measuring=self._task is not None))
 
     def _fingerprint(self) -> str:
         return "" if self._station is None else calibration_fingerprint(self._station)
@@ -323,20 +315,3 @@ class BeltPage(StepPage):
 
     def _go_back(self) -> None:
         self.step_wanted.emit(Step.CALIBRATE)
-
-
-def plan_motion(station: Station, motion: BeltMotion) -> PlanMotion:
-    """Return a motion of the reference frame on the plan."""
-    vx, vy, _ = belt_pose(station).turn(motion.velocity_m_s)
-    return PlanMotion(float(np.hypot(vx, vy)), math.atan2(vy, vx))
-
-
-def _arrow(draft: Draft, view: Projection | None) -> tuple[F64, F64] | None:
-    """Return an arrow on the belt in the middle of the view, as long as it moves in two seconds, within reason."""
-    motion = draft.motion
-    if motion is None:
-        return None
-    middle = draft.corners_m.mean(axis=0) if view is None else view.plan(np.array([view.size]) / 2.0)[0]
-    way = np.array([math.cos(motion.heading_rad), math.sin(motion.heading_rad)])
-    length_m = min(max(2.0 * motion.speed_m_s, 0.15), 0.5)
-    return middle - way * length_m / 2, middle + way * length_m / 2

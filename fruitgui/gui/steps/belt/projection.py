@@ -8,11 +8,12 @@ from typing import Protocol
 import numpy as np
 
 from fruitgui.frame import F64, Intrinsics
-from fruitgui.station.belt_setting import looked_at, seen_at
+from fruitgui.station.belt_setting import PlanMotion, looked_at, seen_at
 from fruitgui.station.station import Station
 
 GRID_M = 0.1
 MARGIN = 0.10
+SHORTEST_ARROW_M, LONGEST_ARROW_M = 0.15, 0.5
 
 
 class Projection(Protocol):
@@ -92,6 +93,20 @@ def plan_points(view: Projection, width: int, height: int) -> F64:
     u, v = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
     scale = np.array([view.size[0] / width, view.size[1] / height])
     return view.plan(np.stack([u, v], -1).reshape(-1, 2) * scale).reshape(height, width, 2)
+
+
+def motion_arrow(motion: PlanMotion | None, corners_m: F64, view: Projection | None) -> tuple[F64, F64] | None:
+    """Return from where to where an arrow on the plan shows a motion; None where it is not known.
+
+    It lies in the middle of the view, or of the region where there is no view, and is as long as the belt moves in two
+    seconds, within reason.
+    """
+    if motion is None:
+        return None
+    middle = corners_m.mean(axis=0) if view is None else view.plan(np.array([view.size]) / 2.0)[0]
+    way = np.array([np.cos(motion.heading_rad), np.sin(motion.heading_rad)])
+    length_m = min(max(2.0 * motion.speed_m_s, SHORTEST_ARROW_M), LONGEST_ARROW_M)
+    return middle - way * length_m / 2, middle + way * length_m / 2
 
 
 def grid_lines(corners_m: F64, heading_rad: float) -> list[F64]:

@@ -16,7 +16,7 @@ from fruitgui.gui.steps.calibrate.prospect import prospect_of
 from fruitgui.gui.steps.calibrate.reasons import told
 from fruitgui.gui.steps.calibrate.refused_panel import RefusedPanel
 from fruitgui.gui.steps.calibrate.result_panel import ResultPanel
-from fruitgui.gui.steps.calibrate.verdict import graph_of, station_graph, verdict_of, verdict_of_station
+from fruitgui.gui.steps.calibrate.verdict import outcome_graph, station_graph, verdict_of, verdict_of_station
 from fruitgui.gui.steps.calibrate.work import Calibrated, calibrating, drawing
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.tasks import Task
@@ -151,13 +151,8 @@ class CalibratePage(StepPage):
         self._show_actions()
 
     def _show_outcome(self, made: Calibrated) -> None:
-        outcome, connection = made.outcome, self._session.connection
-        sensors = [cloud.sensor for cloud in made.clouds] or list(outcome.sensors)
-        reference = outcome.station.reference if outcome.station is not None else ""
-        if connection is not None:
-            sensors, reference = [one.name for one in connection.sensors], connection.reference_name
-        blamed = [one.sensors for one in outcome.reasons]
-        nodes, links = graph_of(sensors, reference, outcome.sensors, outcome.pairs, blamed)
+        outcome = made.outcome
+        nodes, links = outcome_graph(outcome, self._session.connection)
         if not outcome.accepted:
             self.refused.show_reasons(told(outcome.reasons, outcome.pairs, outcome.sensors), nodes, links)
             return

@@ -13,6 +13,7 @@ from fruitgui.calibration.result import PairQuality, SensorQuality
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.widgets.rig_graph import GraphLink, GraphNode
 from fruitgui.station.calibrate_job import CalibrationOutcome
+from fruitgui.station.connection import Connection
 from fruitgui.station.station import Station
 
 translate = QCoreApplication.translate
@@ -156,6 +157,18 @@ def graph_of(
         figure = _mm(error_m) if pair.accepted and error_m is not None else ""
         links.append(GraphLink((first, second), health, figure))
     return nodes, links
+
+
+def outcome_graph(
+    outcome: CalibrationOutcome, connection: Connection | None
+) -> tuple[list[GraphNode], list[GraphLink]]:  # fmt: skip
+    """Return the graph of what calibrating came to; a connection says in which order its sensors are."""
+    sensors = list(outcome.sensors) or sorted({name for one in outcome.reasons for name in one.sensors})
+    reference = outcome.station.reference if outcome.station is not None else ""
+    if connection is not None:
+        sensors, reference = [one.name for one in connection.sensors], connection.reference_name
+    blamed = [one.sensors for one in outcome.reasons]
+    return graph_of(sensors, reference, outcome.sensors, outcome.pairs, blamed)
 
 
 def _node(name: str, reference: bool, quality: SensorQuality | None, bad: bool) -> GraphNode:

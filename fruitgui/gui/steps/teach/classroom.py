@@ -136,7 +136,7 @@ class Classroom(QObject):
         """Ask the model so far: for suggestions, what to name first, likely mistakes."""
         if self._look is None and self.desk.can_look_through:
             self._named = 0
-            job = work.looking_through(self._session.store)
+            job = work.looking_through(self._session.store, self.queries.wait_for_changes)
             self._look = self._session.tasks.run(self.tr("Looking through the fruit"), job)
             self._look.succeeded.connect(self._take_insight)
             self._look.failed.connect(self._session.messages.error)

@@ -62,11 +62,17 @@ def _so_far(frames: int, fruit: int) -> str:
     return said.format(fruit=fruit, frames=frames)
 
 
-def looking_through(store: Store) -> Job[Insight]:
-    """Return the job that trains on what is named so far and looks at everything with it."""
+def looking_through(store: Store, saved: Callable[[], None]) -> Job[Insight]:
+    """Return the job that trains on what is named so far and looks at everything with it.
+
+    Args:
+        store: holds what is taught.
+        saved: waits until what was named just now is in the store.
+    """
 
     def job(progress: Progress, cancelled: Cancelled) -> Insight:
         said = translate("Teach", "Learning from what is named so far")
+        saved()
         return look_through(store.teaching, SEED, lambda share, _: progress(share, said), cancelled)
 
     return job
