@@ -106,6 +106,7 @@ def test_connecting_shows_each_sensor_live_and_is_kept(
     _connect(qtbot, rigged, page)
     assert _names(page) == ["kinect_1", "kinect_2"]
     assert rigged.states()[Step.CONNECT].state is State.DONE
+    qtbot.waitUntil(lambda: not rigged.saving)
     kept = rigged.workspace.connection.load().value
     assert kept is not None
     assert [one.serial for one in kept.sensors] == [one.info.serial for one in rig.sensors]
@@ -193,6 +194,7 @@ def test_order_and_reference_are_kept(qtbot: QtBot, rigged: Session, page: Conne
     qtbot.mouseClick(page.details.buttons["reference"], Qt.MouseButton.LeftButton)
     qtbot.mouseClick(page.details.buttons["left"], Qt.MouseButton.LeftButton)
     assert _names(page) == ["kinect_2", "kinect_1"]
+    qtbot.waitUntil(lambda: not rigged.saving)
     kept = rigged.workspace.connection.load().value
     assert kept is not None
     assert kept.reference == "kinect_2"

@@ -109,6 +109,7 @@ def test_belt_box_and_ball_make_a_correction_that_is_kept_undone_and_taken_away(
     wizard.choices.keep.trigger()
     assert wizard.course is None
     assert page.main_action is page.calibrate_action, "back at the sensors"
+    qtbot.waitUntil(lambda: not benched.saving)
     kept = benched.workspace.depths.load().value
     assert kept is not None
     known = kept.of(serial, "any name")

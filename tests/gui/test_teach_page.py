@@ -308,6 +308,7 @@ def test_a_density_is_typed_for_a_kind_and_kept(qtbot: QtBot, taught: Session, p
     with qtbot.waitSignal(taught.kinds.changed):
         dialog.save.click()
     assert taught.kinds.densities_g_ml == {"lemon": 0.97}
+    qtbot.waitUntil(lambda: not taught.saving)
     kept = taught.workspace.kinds.load().value
     assert kept is not None
     assert kept.typed_densities() == {"lemon": 0.97}

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.frame import U8, Bools, Frame
-from fruitgui.gui.steps.connect.thumbnails import Thumbnails
+from fruitgui.gui.queries import Queries
+from fruitgui.gui.steps.connect.thumbnails import Thumbnails, thumbnails
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import RADIUS
 
@@ -18,12 +21,13 @@ ARM_PX = 13.0
 
 
 class DepthPreview(QWidget):
-    """Shows one sensor's newest depth."""
+    """Shows one sensor's newest depth; its pictures are made beside the window."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
-        self._thumbnails = Thumbnails()
+        self._queries = Queries(self)
+        self._thumbnails: Thumbnails | None = None
         self._found: QImage | None = None
         self._found_for: object = None
         self._ahead: tuple[float, float] | None = None
@@ -38,18 +42,24 @@ class DepthPreview(QWidget):
 
     def begin(self, said: str) -> None:
         """Forget the sensor that was shown."""
-        self._thumbnails = Thumbnails()
+        self._queries.rest()
+        self._thumbnails = None
         self._found = self._found_for = self._ahead = None
         self.setAccessibleName(said)
         self.update()
 
     def show_frame(self, frame: Frame | None, *, cross: bool) -> None:
         """Show the newest frame, with a cross where the sensor looks straight ahead, or without."""
-        if self._thumbnails.take(frame, THIN_PX) and frame is not None:
-            camera = frame.intrinsics
-            ahead = ((camera.cx + 0.5) / camera.width, (camera.cy + 0.5) / camera.height)
-            self._ahead = ahead if cross else None
-            self.update()
+        shown = self._thumbnails
+        if frame is None or self._queries.busy or (shown is not None and shown.of(frame)):
+            return
+        camera = frame.intrinsics
+        ahead = ((camera.cx + 0.5) / camera.width, (camera.cy + 0.5) / camera.height) if cross else None
+        self._queries.ask("picture", partial(thumbnails, frame, THIN_PX, shown), partial(self._take, ahead))
+
+    def _take(self, ahead: tuple[float, float] | None, made: Thumbnails) -> None:
+        self._ahead, self._thumbnails = ahead, made
+        self.update()
 
     def show_found(self, on: Bools | None) -> None:
         """Mark pixels (H, W); None marks nothing."""
@@ -70,9 +80,9 @@ class DepthPreview(QWidget):
             card.addRoundedRect(QRectF(self.rect()), RADIUS, RADIUS)
             painter.setClipPath(card)
             painter.fillRect(self.rect(), self._theme.colour("picture"))
-            picture = self._thumbnails.depth
-            if picture is None:
+            if self._thumbnails is None:
                 return
+            picture = self._thumbnails.depth
             size = picture.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio)
             place = QRectF(0, 0, size.width(), size.height())
             place.moveCenter(QRectF(self.rect()).center())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
+from functools import partial
 
 from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtGui import QAction
@@ -290,7 +291,8 @@ class DepthWizard(QWidget):
         self._session.save_depths(before.with_device(self._serial(sensor), sensor, device))
         undo = lambda: self._restore(before)  # noqa: E731
         remedy = self.tr("Calibrate again.") if self._session.station is not None else ""
-        self._session.messages.say(Message(Level.GOOD, text, remedy, action=self.tr("Undo"), act=undo))
+        said = Message(Level.GOOD, text, remedy, action=self.tr("Undo"), act=undo)
+        self._session.when_saved(partial(self._session.messages.say, said))
         self.end()
 
     def _restore(self, depths: DeviceDepths) -> None:
