@@ -46,6 +46,10 @@ class Saving(QObject):
         failures = self._failures
         self._queries.change(lambda: None, lambda _: told() if self._failures == failures else None)
 
+    def wait(self) -> None:
+        """Wait until all is on the disk; for jobs on threads of their own that read it there, never for the window."""
+        self._queries.wait_for_changes()
+
     def finish(self) -> bool:
         """Wait until all is on the disk; tell whether it is, in reasonable time."""
         return self._queries.finish()

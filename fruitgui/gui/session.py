@@ -208,6 +208,7 @@ class Session(QObject):
     def save_projectors(self, projectors: Projectors) -> None:
         """Keep what was measured of the projectors, and go by it from now on."""
         self._projectors.put(projectors)
+        self._arrange_turns()
 
     def save_marks(self, marks: Marks) -> None:
         """Keep which step was done with what."""
@@ -298,6 +299,7 @@ class Session(QObject):
         """Return what reads the model that a station names; it takes a moment, so a task calls it."""
 
         def model() -> Model | None:
+            self._saving.wait()  # what a person typed of kinds just now belongs to the model
             kept = self.workspace.model(station)
             if kept.damage is not None:
                 raise kept.damage.error

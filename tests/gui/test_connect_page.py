@@ -193,8 +193,8 @@ def test_order_and_reference_are_kept(qtbot: QtBot, rigged: Session, page: Conne
     qtbot.mouseClick(page.tiles.tiles[1], Qt.MouseButton.LeftButton)
     qtbot.mouseClick(page.details.buttons["reference"], Qt.MouseButton.LeftButton)
     qtbot.mouseClick(page.details.buttons["left"], Qt.MouseButton.LeftButton)
-    assert _names(page) == ["kinect_2", "kinect_1"]
     qtbot.waitUntil(lambda: not rigged.saving)
+    assert _names(page) == ["kinect_2", "kinect_1"]
     kept = rigged.workspace.connection.load().value
     assert kept is not None
     assert kept.reference == "kinect_2"

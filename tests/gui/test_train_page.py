@@ -116,6 +116,7 @@ def test_accepting_takes_the_model_into_use_and_the_steps_follow(
     assert taught.station is not None
     assert taught.station.model == "models/model-0001.fruit"
     taught.kinds.type_densities({"lemon": 0.5})
+    qtbot.waitUntil(lambda: not taught.saving)
     model = taught.workspace.model(taught.station).value
     assert model is not None
     assert model.correction.densities["lemon"].value == 500.0, "what a person typed"
