@@ -25,7 +25,7 @@ from tests.unit.station.memory_sink import MemorySink
 
 SERIALS = ("A1", "B2")
 HOLD_MS = 2000
-_BEGINNING_RATE, _BEGINNING_S = 0.05, 120.0
+_BEGINNING_RATE, _BEGINNING_S = 0.05, 300.0
 """Libraries are loaded and tables made while the sensors open: that takes some seconds, and is not what is tested."""
 
 _CALM_S, _GOVERN_S = 0.15, 0.1
