@@ -14,13 +14,14 @@ from pytestqt.qtbot import QtBot
 from fruitgui.errors import InputError
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_sources, with_projectors
+from fruitgui.gui.steps.connect.chooser import SourceChooser
 from fruitgui.gui.steps.connect.offers import SIMULATED
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.lot import LotPlan
 from fruitgui.simulation.scenes import still_scene
 from fruitgui.station.projectors import MeasuredSettling, Projectors
-from fruitgui.station.sources import Connected, Make, RecordedSource, Sources
+from fruitgui.station.sources import Connected, DeviceId, DevicesSource, Make, RecordedSource, Sources
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.workflow import State, Step
 from fruitgui.station.workspace import open_workspace
@@ -98,6 +99,21 @@ def test_a_device_that_is_plugged_in_appears_by_itself(
     page.left()
     assert session.close()
     session.deleteLater()
+
+
+def test_sensors_that_are_plugged_in_are_chosen_until_a_person_chooses(qtbot: QtBot, theme: Theme) -> None:
+    chooser = SourceChooser(theme)
+    qtbot.addWidget(chooser)
+    kinects = DevicesSource((DeviceId("kinect", "A1"), DeviceId("kinect", "B2")))
+    chooser.show_found([])
+    assert chooser.source is None
+    chooser.update_found([kinects])
+    assert chooser.source == kinects
+    assert chooser.rows[0].text() == "2 × Kinect"
+    qtbot.mouseClick(chooser.rows[1], Qt.MouseButton.LeftButton)
+    chooser.update_found([])
+    chooser.update_found([kinects])
+    assert chooser.source is None, "a recording was chosen, and no file yet"
 
 
 def test_connecting_shows_each_sensor_live_and_is_kept(

@@ -91,6 +91,7 @@ class SourceChooser(QWidget):
         self._theme = theme
         self._found: Sequence[Source] = ()
         self._rows: list[OfferRow] = []
+        self._picked = ""
         self.form = SourceForm(theme)
         self._title, self._supported = label("", "page"), label("", "dim")
         self._supported.setWordWrap(True)
@@ -111,18 +112,17 @@ class SourceChooser(QWidget):
         return tuple(self._rows)
 
     def show_found(self, found: Sequence[Source]) -> None:
-        """List these sources, and a recording; the choice stays where it can."""
+        """List these sources, and a recording; a person's choice stays where it can."""
         self._found = found
-        chosen = next((row.offer.key for row in self._rows if row.isChecked()), "")
         for row in self._rows:
             self._list.removeWidget(row)
             row.hide()
             row.deleteLater()
         self._rows = [OfferRow(offer, self._theme) for offer in offers(found)]
         for row in self._rows:
-            row.clicked.connect(self._choose)
+            row.clicked.connect(self._pick)
             self._list.addWidget(row)
-        wanted = next((row for row in self._rows if row.offer.key == chosen), self._rows[0])
+        wanted = next((row for row in self._rows if row.offer.key == self._picked), self._rows[0])
         wanted.setChecked(True)
         self._title.setText(self.tr("What shall be connected?"))
         self._supported.setText(supported_text(found))
@@ -137,7 +137,7 @@ class SourceChooser(QWidget):
         """Choose a recording's file."""
         row = next(row for row in self._rows if row.offer.key == RECORDING)
         row.setChecked(True)
-        self._choose()
+        self._pick()
         self.form.take_file(path)
 
     def show_made(self, made: Sequence[MadeRecording]) -> None:
@@ -174,6 +174,11 @@ class SourceChooser(QWidget):
         whole.setSpacing(2 * GRID)
         whole.addWidget(self._title)
         whole.addLayout(row, 1)
+
+    def _pick(self) -> None:
+        """Take what a person chose; before, sensors that are plugged in are chosen for them."""
+        self._picked = next((row.offer.key for row in self._rows if row.isChecked()), "")
+        self._choose()
 
     def _choose(self) -> None:
         chosen = next((row for row in self._rows if row.isChecked()), None)

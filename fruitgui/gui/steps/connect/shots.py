@@ -25,7 +25,7 @@ from fruitgui.sensors.usb.machine import Machine
 from fruitgui.sensors.usb.udev import rules_file
 from fruitgui.station.checkup.records import Checkup
 from fruitgui.station.record_state import RecordState
-from fruitgui.station.sources import Sources
+from fruitgui.station.sources import DeviceId, DevicesSource, Sources
 from fruitgui.station.workflow import Step
 
 
@@ -43,6 +43,15 @@ def _nothing(stage: Stage, chosen: str) -> Iterator[QWidget]:
             next(row for row in chooser.rows if row.offer.key == SIMULATED).click()
         else:
             chooser.take_file(Path("/data/packing/morning.mcap"))
+        yield on.window
+
+
+@contextmanager
+def _plugged_in(stage: Stage) -> Iterator[QWidget]:
+    serials = ("A00362A01234047A", "A00364813254040A", "A00367A00952052A")
+    devices = DevicesSource(tuple(DeviceId("kinect", serial) for serial in serials))
+    with setting_up(stage, Step.CONNECT, simulated_rig("opposed")) as on:
+        _page(on).chooser.show_found([devices, *Sources().found()])
         yield on.window
 
 
@@ -159,6 +168,7 @@ def _recorded(stage: Stage) -> Iterator[QWidget]:
 
 SCENES: tuple[Scene, ...] = (
     Scene("connect-nothing", partial(_nothing, chosen=SIMULATED)),
+    Scene("connect-devices", _plugged_in),
     Scene("connect-recording", partial(_nothing, chosen="recording")),
     Scene("connect-one", partial(_running, layout="single", sensors=1)),
     Scene("connect-two", partial(_running, layout="opposed", sensors=2)),
