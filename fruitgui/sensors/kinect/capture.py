@@ -61,6 +61,7 @@ class Captures:
                 depth = DepthPicture(ticks, picture.arrived_s, picture.pixels, picture.whole)  # type: ignore[arg-type]
                 pairs = self._pairing.add_depth(depth)
             else:
+                self._clock.hear(ticks, picture.arrived_s)
                 pairs = self._pairing.add_color(ColorPicture(ticks, picture.pixels, picture.whole))  # type: ignore[arg-type]
             self._waiting.extend(self._captured(pair) for pair in pairs)
             self._changed.notify_all()

@@ -64,6 +64,12 @@ class HostClock:
         self._given_s: float | None = None
         self.jumps = 0
 
+    def hear(self, ticks: int, arrived_s: float) -> None:
+        """Take in a picture whose time nobody asks for: colour comes all the time, depth only in its turns."""
+        device_s = ticks / TICKS_PER_S
+        if not self._soonest or self._is_usual(device_s, arrived_s - device_s):
+            self._note(device_s, arrived_s - device_s)
+
     def time_s(self, ticks: int, arrived_s: float) -> float:
         """Return when the picture of these ticks was taken; always later than the one before.
 
@@ -72,18 +78,18 @@ class HostClock:
         """
         device_s = ticks / TICKS_PER_S
         late_s = arrived_s - device_s
-        if self._soonest and not self._fits(device_s, late_s):
+        if self._soonest and not (device_s > self._newest_s and self._is_usual(device_s, late_s)):
             return self._odd_one(device_s, late_s, arrived_s)
         self._odd, self._newest_s = 0, device_s
         self._note(device_s, late_s)
         return self._later(self._soonest[-1][0], device_s)
 
-    def _fits(self, device_s: float, late_s: float) -> bool:
+    def _is_usual(self, device_s: float, late_s: float) -> bool:
         offset_s, drift = self._line
         since_s = device_s - self._soonest[-1][0]
         off_s = late_s - offset_s - drift * since_s
         unsure_s = 2.0 * _FASTEST * max(since_s, 0.0)
-        return device_s > self._newest_s and -_EARLY_S - unsure_s <= off_s <= _LATE_S + unsure_s
+        return -_EARLY_S - unsure_s <= off_s <= _LATE_S + unsure_s
 
     def _odd_one(self, device_s: float, late_s: float, arrived_s: float) -> float:
         """Believe the host for once; begin anew where the device insists."""
@@ -97,12 +103,12 @@ class HostClock:
         return self._later(device_s, device_s)
 
     def _note(self, device_s: float, late_s: float) -> None:
-        if self._soonest and _bin(device_s) == _bin(self._soonest[-1][0]):
-            if late_s >= self._soonest[-1][1]:
-                return
+        if not self._soonest or _bin(device_s) > _bin(self._soonest[-1][0]):
+            self._soonest.append((device_s, late_s))
+        elif late_s < self._soonest[-1][1]:
             self._soonest[-1] = (device_s, late_s)
         else:
-            self._soonest.append((device_s, late_s))
+            return
         self._line = _line_below(list(self._soonest))
 
     def _later(self, origin_s: float, device_s: float) -> float:

@@ -106,3 +106,21 @@ def test_a_host_that_is_busy_for_long_moves_no_time() -> None:
     late_s[900:1200] += 0.08
     true_s, given_s = played(late_s)
     assert np.abs(given_s - true_s - 0.004)[300:].max() < 1e-3
+
+
+def test_colour_alone_sets_the_clock_before_depth_comes() -> None:
+    clock, rng = HostClock(), np.random.default_rng(8)
+    for count in range(30):
+        clock.hear(count * FRAME_TICKS, 200.0 + count / 30.0 + 0.004 + rng.exponential(0.01))
+    clock.hear(29 * FRAME_TICKS - 60_000, 200.0 + 29 / 30.0 + 0.004)  # somewhat before the last
+    given_s = clock.time_s(30 * FRAME_TICKS, 200.0 + 1.0 + 0.3)  # and very late itself
+    assert given_s == pytest.approx(201.004, abs=2e-3)
+
+
+def test_colour_of_another_clock_moves_nothing() -> None:
+    clock = HostClock()
+    for count in range(60):
+        clock.time_s(count * FRAME_TICKS, 200.0 + count / 30.0)
+        clock.hear((count + 10**6) * FRAME_TICKS, 200.0 + count / 30.0)
+    assert clock.time_s(60 * FRAME_TICKS, 202.0) == pytest.approx(202.0, abs=1e-6)
+    assert clock.jumps == 0
