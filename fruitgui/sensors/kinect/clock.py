@@ -16,6 +16,9 @@ _FASTEST = 200e-6
 """No quartz is off by more than this part of the time."""
 _EARLY_S, _LATE_S = 0.05, 0.5
 """A picture that comes earlier than it was taken, or so much later than usual, says that the device's clock jumped."""
+_YOUNG_S = 2.0
+"""At the beginning it was the first pictures that came late: a host that opens a device is busy."""
+
 _JUMPED_FRAMES = 3
 _SHORTEST_STEP_S = 1e-4
 
@@ -89,7 +92,8 @@ class HostClock:
         since_s = device_s - self._soonest[-1][0]
         off_s = late_s - offset_s - drift * since_s
         unsure_s = 2.0 * _FASTEST * max(since_s, 0.0)
-        return -_EARLY_S - unsure_s <= off_s <= _LATE_S + unsure_s
+        young = device_s - self._soonest[0][0] < _YOUNG_S
+        return -(_YOUNG_S if young else _EARLY_S) - unsure_s <= off_s <= _LATE_S + unsure_s
 
     def _odd_one(self, device_s: float, late_s: float, arrived_s: float) -> float:
         """Believe the host for once; begin anew where the device insists."""

@@ -124,3 +124,13 @@ def test_colour_of_another_clock_moves_nothing() -> None:
         clock.hear((count + 10**6) * FRAME_TICKS, 200.0 + count / 30.0)
     assert clock.time_s(60 * FRAME_TICKS, 202.0) == pytest.approx(202.0, abs=1e-6)
     assert clock.jumps == 0
+
+
+def test_a_host_that_is_busy_at_the_beginning_tells_no_jump() -> None:
+    clock, rng = HostClock(), np.random.default_rng(9)
+    for count in range(120):
+        late_s = 0.7 if count < 5 else 0.004 + float(rng.exponential(0.003))
+        given_s = clock.time_s(count * FRAME_TICKS, 200.0 + count / 30.0 + late_s)
+        if count > 40:
+            assert given_s == pytest.approx(200.004 + count / 30.0, abs=2e-3)
+    assert clock.jumps == 0
