@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_sources
+from fruitgui.gui.steps.belt import backdrop
 from fruitgui.gui.steps.belt.page import BeltPage
 from fruitgui.gui.steps.belt.tool_row import ABOVE
 from fruitgui.gui.theme.theme import Theme
@@ -221,10 +224,23 @@ def test_nothing_is_saved_where_nothing_was_changed(rigged: Session, running: Be
     assert rigged.states()[Step.BELT].state is State.READY
 
 
-def test_pictures_come_in_both_views(qtbot: QtBot, running: BeltPage) -> None:
+def test_pictures_come_in_both_views_and_are_made_beside_the_window(
+    qtbot: QtBot, running: BeltPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    threads: list[threading.Thread] = []
+    for name in ("mosaic_of", "image_of"):
+        real = getattr(backdrop, name)
+
+        def made(*given: Any, real: Callable[..., Any] = real) -> Any:  # noqa: ANN401 - whatever it takes and gives
+            threads.append(threading.current_thread())
+            return real(*given)
+
+        monkeypatch.setattr(backdrop, name, made)
     for view in (ABOVE, "kinect_1"):
         running.tools.views[view].click()
         qtbot.waitUntil(lambda: not running.canvas._image.isNull())
+    assert len(threads) >= 2
+    assert threading.main_thread() not in threads
 
 
 def test_everything_that_is_pressed_is_large_enough_for_a_glove(running: BeltPage) -> None:

@@ -47,6 +47,7 @@ def _setting(stage: Stage, layout: str, view: str, *, moving: bool) -> Iterator[
         page = _page(on)
         on.connect()
         on.session.save_station(_station(layout, moving=moving))
+        stage.wait_until(lambda: not on.session.saving)
         page.tools.views[view].click()
         page.side.switch.show()
         page._draw_picture()
