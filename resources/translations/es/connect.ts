@@ -503,7 +503,7 @@
     </message>
     <message>
         <source>This sensor cannot lock them; colours may drift, so keep the light steady.</source>
-        <translation>Este sensor no puede fijarlas; los colores pueden variar, así que mantenga la luz constante.</translation>
+        <translation>Este sensor no puede fijarlas; los colores pueden variar, así que mantenga la luz pareja.</translation>
     </message>
     <message>
         <source>as recorded</source>
@@ -696,7 +696,7 @@
     </message>
     <message>
         <source>Ball</source>
-        <translation>Bola</translation>
+        <translation>Pelota</translation>
     </message>
     <message>
         <source>Result</source>
@@ -704,11 +704,11 @@
     </message>
     <message>
         <source>1.  Stop the belt and clear it.</source>
-        <translation>1.  Pare la cinta y despéjela.</translation>
+        <translation>1.  Detenga la cinta y despéjela.</translation>
     </message>
     <message>
         <source>2.  Measure from the sensor&apos;s glass straight ahead to the belt, to the cross in the picture, and type it. Leave it at 0 if you have no tape.</source>
-        <translation>2.  Mida desde el cristal del sensor, en línea recta, hasta la cinta, donde está la cruz de la imagen, y escríbalo. Deje 0 si no tiene cinta métrica.</translation>
+        <translation>2.  Mida desde el cristal del sensor, en línea recta, hasta la cinta, donde está la cruz de la imagen, y escríbalo. Deje 0 si no tiene huincha.</translation>
     </message>
     <message>
         <source>1.  Put a carton or a box with a flat, dull lid amid the picture; the higher the better.</source>
@@ -720,7 +720,7 @@
     </message>
     <message>
         <source>1.  Put a dull ball on the bare belt amid the picture; a large one tells more.</source>
-        <translation>1.  Ponga una bola mate sobre la cinta vacía, en el centro de la imagen; una grande dice más.</translation>
+        <translation>1.  Ponga una pelota mate sobre la cinta vacía, en el centro de la imagen; una grande dice más.</translation>
     </message>
     <message>
         <source>2.  Measure its diameter between two straight edges, and type it.</source>
@@ -744,11 +744,11 @@
     </message>
     <message>
         <source>No ball of {length} is seen yet.</source>
-        <translation>Aún no se ve ninguna bola de {length}.</translation>
+        <translation>Aún no se ve ninguna pelota de {length}.</translation>
     </message>
     <message>
         <source>The ball is seen.</source>
-        <translation>Se ve la bola.</translation>
+        <translation>Se ve la pelota.</translation>
     </message>
     <message>
         <source>No flat lid above the belt is seen yet.</source>
@@ -772,7 +772,7 @@
     </message>
     <message>
         <source>Diameter of the ball</source>
-        <translation>Diámetro de la bola</translation>
+        <translation>Diámetro de la pelota</translation>
     </message>
     <message>
         <source>Unevenness of the belt</source>
@@ -796,7 +796,7 @@
     </message>
     <message>
         <source>Without a tape or a large ball the offset stays unknown: heights are right, widths less.</source>
-        <translation>Sin cinta métrica ni bola grande, el desplazamiento queda sin conocer: las alturas son correctas; los anchos, menos.</translation>
+        <translation>Sin huincha ni pelota grande, el desplazamiento queda sin conocer: las alturas son correctas; los anchos, menos.</translation>
     </message>
     <message>
         <source>A higher box would tell the scale.</source>
@@ -824,11 +824,11 @@
     </message>
     <message>
         <source>No ball of the typed size was seen.</source>
-        <translation>No se vio ninguna bola del tamaño escrito.</translation>
+        <translation>No se vio ninguna pelota del tamaño escrito.</translation>
     </message>
     <message>
         <source>Put one dull ball on the bare belt amid the picture, and type its diameter.</source>
-        <translation>Ponga una bola mate sobre la cinta vacía, en el centro de la imagen, y escriba su diámetro.</translation>
+        <translation>Ponga una pelota mate sobre la cinta vacía, en el centro de la imagen, y escriba su diámetro.</translation>
     </message>
     <message>
         <source>Belt or lid is not flat.</source>
@@ -844,7 +844,7 @@
     </message>
     <message>
         <source>Stop the belt, and keep hands away.</source>
-        <translation>Pare la cinta y retire las manos.</translation>
+        <translation>Detenga la cinta y retire las manos.</translation>
     </message>
     <message>
         <source>Sensor or belt was moved between two measurements.</source>
@@ -868,15 +868,15 @@
     </message>
     <message>
         <source>Take a box of known height, or a ball, as well.</source>
-        <translation>Tome también una caja de altura conocida o una bola.</translation>
+        <translation>Tome también una caja de altura conocida o una pelota.</translation>
     </message>
     <message>
         <source>The heights are too small to tell more than is known of such devices.</source>
-        <translation>Las alturas son demasiado pequeñas para decir más de lo que se sabe de tales aparatos.</translation>
+        <translation>Las alturas son demasiado pequeñas para decir más de lo que se sabe de esos aparatos.</translation>
     </message>
     <message>
         <source>Use a higher box, 15 cm or more, and a tape.</source>
-        <translation>Use una caja más alta, de 15 cm o más, y una cinta métrica.</translation>
+        <translation>Use una caja más alta, de 15 cm o más, y una huincha.</translation>
     </message>
     <message>
         <source>What was typed does not agree with the other measurements.</source>
@@ -884,7 +884,7 @@
     </message>
     <message>
         <source>Measure again; see that the ball lies on the belt itself and that the lid is level.</source>
-        <translation>Mida de nuevo; compruebe que la bola está sobre la propia cinta y que la tapa está a nivel.</translation>
+        <translation>Mida de nuevo; compruebe que la pelota está sobre la propia cinta y que la tapa está a nivel.</translation>
     </message>
     <message>
         <source>No working sensor errs as much as this would mean.</source>
@@ -911,7 +911,7 @@
     </message>
     <message>
         <source>Do as the picture shows, then press Take.</source>
-        <translation>Haga lo que muestra el dibujo y pulse Tomar.</translation>
+        <translation>Haga lo que muestra el dibujo y presione Tomar.</translation>
     </message>
     <message>
         <source>Keep it, and calibrate again: every length that this sensor measures changes with it.</source>
@@ -1080,7 +1080,7 @@
     </message>
     <message>
         <source>Diameter of the ball</source>
-        <translation>Diámetro de la bola</translation>
+        <translation>Diámetro de la pelota</translation>
     </message>
 </context>
 <context>
@@ -1245,7 +1245,7 @@
     </message>
     <message>
         <source>Measure with a box, a tape and a ball how far this sensor&apos;s depth is off</source>
-        <translation>Medir con una caja, una cinta métrica y una bola cuánto se equivoca la profundidad de este sensor</translation>
+        <translation>Medir con una caja, una huincha y una pelota cuánto se equivoca la profundidad de este sensor</translation>
     </message>
     <message>
         <source>Device</source>
@@ -1281,7 +1281,7 @@
     </message>
     <message>
         <source>The light on the belt, against what it was when the sensors started</source>
-        <translation>La luz en la cinta, comparada con la del inicio de los sensores</translation>
+        <translation>La luz en la cinta, comparada con la del arranque de los sensores</translation>
     </message>
     <message>
         <source>Whether its depth still drifts, seen on the bare belt</source>
