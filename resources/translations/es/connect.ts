@@ -534,16 +534,16 @@
         <translation>Restablezca la luz o reinicie los sensores para que se ajusten a ella.</translation>
     </message>
     <message>
-        <source>another colour than at first</source>
-        <translation>de otro color que al principio</translation>
+        <source>belt of another colour than at first</source>
+        <translation>cinta de otro color que al principio</translation>
     </message>
     <message>
-        <source>much brighter than at first</source>
-        <translation>mucho más clara que al principio</translation>
+        <source>belt much brighter than at first</source>
+        <translation>cinta mucho más clara que al principio</translation>
     </message>
     <message>
-        <source>much darker than at first</source>
-        <translation>mucho más oscura que al principio</translation>
+        <source>belt much darker than at first</source>
+        <translation>cinta mucho más oscura que al principio</translation>
     </message>
     <message>
         <source>as at first</source>
@@ -1268,20 +1268,12 @@
         <translation>Exposición</translation>
     </message>
     <message>
-        <source>Light</source>
-        <translation>Luz</translation>
+        <source>Whether exposure and white balance, and the light on the belt, stay as they are</source>
+        <translation>Si la exposición, el balance de blancos y la luz en la cinta se mantienen</translation>
     </message>
     <message>
         <source>Depth</source>
         <translation>Profundidad</translation>
-    </message>
-    <message>
-        <source>Whether exposure and white balance stay as they are</source>
-        <translation>Si la exposición y el balance de blancos se mantienen</translation>
-    </message>
-    <message>
-        <source>The light on the belt, against what it was when the sensors started</source>
-        <translation>La luz en la cinta, comparada con la del arranque de los sensores</translation>
     </message>
     <message>
         <source>Whether its depth still drifts, seen on the bare belt</source>

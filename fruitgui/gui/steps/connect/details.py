@@ -28,7 +28,7 @@ _ICONS = {
     "identify": "flash", "reference": "link", "left": "left", "right": "right", "leave": "delete", "depth": "layers",
 }  # fmt: skip
 
-_FACTS = ("device", "serial", "rate", "lost", "colour", "light", "warmth", "correction")
+_FACTS = ("device", "serial", "rate", "lost", "colour", "warmth", "correction")
 
 
 class SensorDetails(Card):
@@ -87,7 +87,8 @@ class SensorDetails(Card):
         }  # fmt: skip
         for part, text in texts.items():
             self._facts[part].setText(text)
-        for part, one in (("colour", view.colour), ("light", view.light), ("warmth", view.warmth)):
+        colour = view.light if view.light.health == "warn" else view.colour
+        for part, one in (("colour", colour), ("warmth", view.warmth)):
             self._facts[part].setText(one.word)
             set_health(self._facts[part], one.health)
         remedies = dict.fromkeys(one.remedy for one in (view.colour, view.light, view.warmth) if one.remedy)
@@ -182,14 +183,14 @@ class SensorDetails(Card):
             "rate": self.tr("Pictures"),
             "lost": self.tr("Lost"),
             "colour": self.tr("Exposure"),
-            "light": self.tr("Light"),
             "warmth": self.tr("Depth"),
             "correction": "",
         }
         for part, text in heads.items():
             self._heads[part].setText(text)
-        self._facts["colour"].setToolTip(self.tr("Whether exposure and white balance stay as they are"))
-        self._facts["light"].setToolTip(self.tr("The light on the belt, against what it was when the sensors started"))
+        self._facts["colour"].setToolTip(
+            self.tr("Whether exposure and white balance, and the light on the belt, stay as they are")
+        )
         self._facts["warmth"].setToolTip(self.tr("Whether its depth still drifts, seen on the bare belt"))
         self.name.setAccessibleName(self.tr("Name of the sensor"))
         self.name.setToolTip(self.tr("Name of the sensor: letters, digits and _, beginning with a letter"))

@@ -43,11 +43,11 @@ def light(kind: str, now: Steadiness) -> Condition:
         return Condition("", translate("Connect", "not known yet"))
     remedy = translate("Connect", "Bring the light back, or start the sensors again so that they adjust to it.")
     if drift.white_off:
-        return Condition("warn", translate("Connect", "another colour than at first"), remedy)
+        return Condition("warn", translate("Connect", "belt of another colour than at first"), remedy)
     if drift.brightness_off and drift.brightness > 1.0:
-        return Condition("warn", translate("Connect", "much brighter than at first"), remedy)
+        return Condition("warn", translate("Connect", "belt much brighter than at first"), remedy)
     if drift.brightness_off:
-        return Condition("warn", translate("Connect", "much darker than at first"), remedy)
+        return Condition("warn", translate("Connect", "belt much darker than at first"), remedy)
     return Condition("good", translate("Connect", "as at first"))
 
 
