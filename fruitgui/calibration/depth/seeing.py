@@ -34,6 +34,9 @@ CAP_SHARE = 0.8
 
 LEAST_CAP_PX = 80
 BALL_FROM_M = 0.008
+ROUND_SHARE = 0.6
+"""So much of a ball's cap must carry readings: a piece of a rail is not round."""
+
 SIZE_SHARE = (0.55, 1.7)
 """A ball's picture may have so many times the area that its diameter asks for."""
 
@@ -129,7 +132,8 @@ def _ball(still: Still, part: Bools, ray: F64, nearest_m: float, radius_m: float
         J = _centre_jacobian(rays[cap][near], centre, radius_m)
         centre = centre + np.asarray(np.linalg.lstsq(J, off[near], rcond=None)[0])
     used = np.nonzero(cap)[0][near]
-    if spread > 3.0 * INVERSE_STEP or len(used) < 0.8 * cap.sum():
+    disc_px = np.pi * (CAP_SHARE * radius_m / centre[2]) ** 2 * still.intrinsics.fx * still.intrinsics.fy
+    if spread > INVERSE_STEP or len(used) < max(0.8 * cap.sum(), ROUND_SHARE * disc_px):
         return None
     on = np.zeros(part.shape, dtype=bool)
     on[v[used], u[used]] = True

@@ -15,7 +15,7 @@ from fruitgui.sensors.feed import Feed, Running, WaitForRoom
 from fruitgui.sensors.player import FlatOut
 from fruitgui.simulation.ahead import SimulatedRig
 from fruitgui.simulation.scenes import sight_of
-from fruitgui.simulation.show import Show, Showing
+from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, Show, Showing
 from fruitgui.simulation.supply import BATCH, LineOptions, crossed, has_left, supply
 from tests.unit.sensors.scripted import until
 
@@ -164,3 +164,16 @@ def test_a_renderer_that_dies_is_started_again() -> None:
     before = feed.health("kinect_1").frames
     until(lambda: feed.health("kinect_1").frames > before and feed.health("kinect_1").state is Running.RUNNING, 60.0)
     assert feed.stop() == ()
+
+
+def test_a_carton_and_a_ball_are_shown_for_measuring_depth() -> None:
+    show = Show(OPTIONS)
+    empty = frames_of(show, Showing.EMPTY, 2)
+    carton, ball = (frames_of(show, showing, 2) for showing in (Showing.BOARD, Showing.BALL))
+    for sensor, frame in enumerate(empty):
+        distance_m = float(np.median(frame.depth_mm[frame.depth_mm > 0])) * 1e-3
+        lid_px = SHOWN_BOARD_M[0] * SHOWN_BOARD_M[1] * (frame.intrinsics.fx / distance_m) ** 2
+        assert 0.7 * lid_px < raised_px(carton[sensor], frame) < 3.0 * lid_px
+        ball_px = np.pi / 4 * (SHOWN_BALL_M * frame.intrinsics.fx / distance_m) ** 2
+        assert 0.7 * ball_px < raised_px(ball[sensor], frame) < 2.0 * ball_px
+    assert raised_px(frames_of(show, Showing.EMPTY, 2)[0], empty[0]) < 2000, "they are gone again"

@@ -54,3 +54,22 @@ def test_it_can_be_cancelled() -> None:
             collect_stills(feed, 4, cancelled=lambda: True)
     finally:
         feed.stop()
+
+
+def test_one_sensor_of_several_is_enough() -> None:
+    left, right = ScriptedSensor("left"), ScriptedSensor("right")
+    feed = Feed([left, right])
+    given: list[float] = []
+
+    def progress(share: float, _doing: str) -> None:
+        given.append(share)
+        if len(given) == 1:
+            left.give(*(small_frame("left", n) for n in range(3)))
+
+    feed.start()
+    try:
+        frames = collect_stills(feed, 2, progress, sensors={"left"})
+    finally:
+        feed.stop()
+    assert list(frames) == ["left"]
+    assert len(frames["left"]) == 2

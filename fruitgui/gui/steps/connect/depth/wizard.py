@@ -113,8 +113,9 @@ class DepthWizard(QWidget):
         if event.type() == QEvent.Type.LanguageChange:
             self.choices.say_words()
             self.result.draw()
-            if self._course is not None:
-                self._show()
+            if self._course is not None and self._course.stage is not Stage.RESULT:
+                self.panel.show_stage(self._course)
+            self.changed.emit()
         super().changeEvent(event)
 
     def _lay_out(self) -> None:
