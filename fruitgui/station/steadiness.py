@@ -16,7 +16,9 @@ from fruitgui.sensors.feed import Feed
 LOOK_S = 6.0
 """Between two looks at one sensor, by its own clock."""
 
-REST_S = 0.5
+BEGIN_S, REST_S = 5.0, 0.5
+"""It begins when sensors have settled and the window is up: finding the belt takes some tenths of a second."""
+
 FIRST_FRAMES = 4
 """So many frames show where the belt is."""
 
@@ -139,6 +141,7 @@ class SteadinessWatch:
         return Steadiness() if watched is None else watched.now
 
     def _run(self) -> None:
+        self._stop.wait(BEGIN_S)
         while not self._stop.wait(REST_S):
             for sensor, watched in self._sensors.items():
                 frame = self._feed.newest(sensor)

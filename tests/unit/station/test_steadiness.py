@@ -128,6 +128,7 @@ def _until(ready: Callable[[], bool], most_s: float = 60.0) -> None:
 
 @pytest.mark.usefixtures("no_leaked_threads")
 def test_the_watch_looks_beside_and_ends(feed: Feed, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("fruitgui.station.steadiness.BEGIN_S", 0.0)
     monkeypatch.setattr("fruitgui.station.steadiness.REST_S", 0.01)
     watch = SteadinessWatch(feed)
     watch.start()
