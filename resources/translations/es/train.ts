@@ -85,7 +85,7 @@
     </message>
     <message>
         <source>Models: right on fruit held out (95 %)</source>
-        <translation>Modelos: aciertos en fruta apartada (95 %)</translation>
+        <translation>Modelos: aciertos (95 %)</translation>
     </message>
 </context>
 <context>

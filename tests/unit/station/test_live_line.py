@@ -204,6 +204,7 @@ def test_a_clock_set_anew_is_said_and_followed_on() -> None:
     assert len(sink.kept) == 3
 
 
+PATIENCE_S = 180.0
 UNEVEN_M = [0.0, 0.2, 0.53, 0.7, 1.1, 1.27, 1.66, 1.9]
 
 
@@ -219,7 +220,7 @@ def test_fruit_are_counted_once_where_a_clock_is_off_from_the_start(apart_s: flo
     with running(line, feed):
         for sensor in sensors:
             sensor.end()
-        assert line.wait(60.0)
+        assert line.wait(PATIENCE_S)
         warnings = line.state.warnings
     assert {(one.code, one.sensors) for one in warnings} == {("clock_put_right", ("b",))}
     assert len(sink.kept) == len(UNEVEN_M)
@@ -235,7 +236,7 @@ def test_clocks_that_agree_are_left_alone() -> None:
     with running(line, feed):
         for sensor in sensors:
             sensor.end()
-        assert line.wait(60.0)
+        assert line.wait(PATIENCE_S)
     assert len(sink.kept) == len(UNEVEN_M)
     assert line.state.warnings == ()
 
@@ -245,13 +246,13 @@ def test_fruit_that_wait_for_the_clocks_go_into_the_lot_in_which_they_left() -> 
     sensors = tuple(Small(name, of[:45]) for name, of in frames.items())
     line, feed, sink = line_of(*sensors)
     with running(line, feed):
-        until(lambda: line.state.frames == 90 and line.state.waiting_fruit > 0, 60.0)
+        until(lambda: line.state.frames == 90 and line.state.waiting_fruit > 0, PATIENCE_S)
         assert sink.kept == []
         line.count_into(None)
         for sensor, of in zip(sensors, frames.values(), strict=True):
             sensor.give(*of[45:])
             sensor.end()
-        assert line.wait(60.0)
+        assert line.wait(PATIENCE_S)
     passed = line.state.totals.passed
     assert len(sink.kept) + passed == len(UNEVEN_M)
     assert 0 < len(sink.kept) < len(UNEVEN_M)

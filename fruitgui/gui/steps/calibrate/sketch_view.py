@@ -61,6 +61,7 @@ class SketchView(QWidget):
             for piece in self._sketch.pieces:
                 self._paint_piece(painter, piece, moving=self._sketch.moving)
             painter.resetTransform()
+            self._paint_sensors(painter, self._sketch)
             self._paint_mark(painter, self._sketch)
 
     def _to_screen(self) -> QTransform:
@@ -86,9 +87,16 @@ class SketchView(QWidget):
             pen.setCosmetic(True)
             painter.setPen(pen)
             painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in corners]))
+
+    def _paint_sensors(self, painter: QPainter, sketch: Sketch) -> None:
+        """Draw who looks, on the screen's own pixels: a drawing that is scaled up blurs."""
+        to_screen = self._to_screen()
+        for number, corners in enumerate(sketch.views):
             middle = sum(corner[0] for corner in corners) / len(corners)
-            place = QRectF(middle - 4, -AROUND + 0.5, 8, 8)
-            icons.paint(painter, place, "camera", colour)
+            place = to_screen.mapRect(QRectF(middle - 4, -AROUND + 0.5, 8, 8))
+            side = round(place.width())
+            whole = QRectF(round(place.left()), max(round(place.top()), 1), side, side)
+            icons.paint(painter, whole, "camera", QColor(OKABE_ITO[(number + 1) % len(OKABE_ITO)]))
 
     def _paint_piece(self, painter: QPainter, piece: Piece, *, moving: bool) -> None:
         colour = QColor(FRUIT[piece.colour % len(FRUIT)])
