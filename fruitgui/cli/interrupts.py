@@ -10,7 +10,8 @@ from types import FrameType
 
 from fruitgui.progress import Cancelled
 
-_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+_SIGNALS = tuple(signal.Signals[name] for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+"""The keyboard, whoever ends programs, and a terminal that is closed."""
 
 
 @contextlib.contextmanager

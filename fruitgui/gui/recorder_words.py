@@ -38,6 +38,10 @@ def recorded_message(done: Recorded) -> tuple[str, str, bool]:
     lost = sum(done.lost.values())
     if lost:
         problems.append(lost_text(lost))
+    missed = sum(done.missed.values())
+    if missed:
+        text = translate("Recorder", "{count} pictures did not come whole from the sensors: check them.")
+        problems.append(text.format(count=count_text(missed)))
     silent = sorted({silence.sensor for silence in done.silences})
     if silent:
         problems.append(silent_text(silent))

@@ -129,6 +129,7 @@ class _Recording:
         self._writer = writer
         self._disk = disk
         self._frames: Counter[str] = Counter(dict.fromkeys(feed.sensors, 0))
+        self._missed_before = self._missed()
         self._asked_s = time.monotonic()
         self._wall_ns = time.time_ns() - time.monotonic_ns()
         self._first_s: float | None = None
@@ -243,6 +244,11 @@ class _Recording:
         late = now_s - self._asked_s > FIRST_FRAME_S / 3.0 and not self._frames[sensor]
         return state in (Running.SILENT, Running.FAILED) or (state is Running.STARTING and late)
 
+    def _missed(self) -> dict[str, int]:
+        """Return how many frames of each sensor did not come whole since the feed was started."""
+        health = [self._feed.health(sensor) for sensor in self._feed.sensors]
+        return {one.sensor: one.drops + one.damaged for one in health}
+
     def _nothing(self, ended: Ending) -> Exception:
         if ended is Ending.STOPPED:
             return CancelledByUserError()
@@ -270,6 +276,7 @@ class _Recording:
             seconds=self._last_s - (self._first_s or 0.0),
             ended=ended,
             lost=lost,
+            missed={sensor: count - self._missed_before[sensor] for sensor, count in self._missed().items()},
             silences=(*self._silences, *open_silences),
             bytes_written=self._writer.bytes_written,
         )

@@ -92,6 +92,7 @@ class Recorded:
         seconds: from the first frame to the last.
         ended: why.
         lost: frames that came and are in no file, by sensor.
+        missed: frames that the device numbered and that did not come, or came damaged, by sensor.
         silences: when a sensor gave nothing.
         notes: what else a person should know, in words.
         bytes_written: of all parts.
@@ -102,6 +103,7 @@ class Recorded:
     seconds: float
     ended: Ending = Ending.DONE
     lost: Mapping[str, int] = field(default_factory=dict)
+    missed: Mapping[str, int] = field(default_factory=dict)
     silences: tuple[Silence, ...] = ()
     notes: tuple[str, ...] = ()
     bytes_written: int = 0
@@ -119,6 +121,9 @@ class Recorded:
         for sensor, count in self.lost.items():
             if count:
                 lines.append(f"{count} frames of {sensor} were lost: this computer, or its disk, was too slow.")
+        for sensor, count in self.missed.items():
+            if count:
+                lines.append(f"{count} frames of {sensor} did not come whole from the device: see fruitgui sensors.")
         return [*lines, *self.notes]
 
     def value(self) -> dict[str, Any]:
@@ -128,6 +133,7 @@ class Recorded:
             "parts": [str(part) for part in self.parts],
             "frames": dict(self.frames),
             "lost": {sensor: count for sensor, count in self.lost.items() if count},
+            "missed": {sensor: count for sensor, count in self.missed.items() if count},
             "seconds": self.seconds,
             "bytes": self.bytes_written,
             "ended": self.ended.value,

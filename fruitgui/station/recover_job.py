@@ -24,6 +24,8 @@ def recover_recording(cut: Path, out: Path, progress: Progress = no_progress) ->
     saved = recover(cut, out)
     warnings = [f"{saved.bytes_unread} bytes at the end of {cut} could not be used."] if saved.bytes_unread else []
     warnings += [f"{count} damaged parts were left out: {cause}." for cause, count in saved.damaged.items()]
+    if saved.lost:
+        warnings.append(f"{cut.name}: {saved.lost}.")
     frames: Counter[str] = Counter()
     times_s: list[float] = []
     if foreign:

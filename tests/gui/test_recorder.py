@@ -191,11 +191,21 @@ def test_what_went_wrong_with_a_recording_is_said_in_words() -> None:
     good = Recorded((Path("a.mcap"),), {"k1": 10}, 3.0, bytes_written=5_000_000)
     assert recorded_message(good) == ("a is recorded: 3\u2009s, 5\u2009MB.", "", True)
     bad = Recorded(
-        (Path("a.mcap"),), {"k1": 10}, 3.0, Ending.DISK_FULL, {"k1": 2}, (Silence("k2", 1.0),), bytes_written=2 * 10**9
+        (Path("a.mcap"),),
+        {"k1": 10},
+        3.0,
+        Ending.DISK_FULL,
+        {"k1": 2},
+        {"k1": 7},
+        (Silence("k2", 1.0),),
+        bytes_written=2 * 10**9,
     )
     what, problems, fine = recorded_message(bad)
     assert not fine
-    assert all(word in problems for word in ("disk is nearly full", "2 pictures were lost", "k2"))
+    assert all(
+        word in problems
+        for word in ("disk is nearly full", "2 pictures were lost", "7 pictures did not come whole", "k2")
+    )
     assert "2.0\u2009GB" in what
 
 

@@ -136,8 +136,9 @@ class McapFile:
         """Count the messages that were in a chunk that was left out."""
         file.seek(outer.start)
         for channel, count in counted(memoryview(file.read(min(outer.length, _MAX_SMALL_RECORD)))).items():
-            if channel in self._channels:
-                self._soundness.lost[self._channels[channel][0]] += count
+            known = self._contents.channels.get(channel) or self._channels.get(channel)
+            if known is not None:
+                self._soundness.lost[known[0]] += count
 
     def _content(self, file: BinaryIO, outer: Outer) -> Iterator[tuple[int, memoryview]]:
         try:

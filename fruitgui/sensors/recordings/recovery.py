@@ -12,6 +12,7 @@ from fruitgui.sensors.recordings.container import open_container
 from fruitgui.sensors.recordings.mcap_file import McapFile
 from fruitgui.sensors.recordings.raw import MalformedError
 from fruitgui.sensors.recordings.records import CHANNEL, MESSAGE, SCHEMA, Fields
+from fruitgui.sensors.recordings.tally import lost_text
 
 _CHUNK_BYTES = 4 * 1024 * 1024
 
@@ -24,11 +25,13 @@ class Recovered:
         messages: how many were written.
         bytes_unread: of the cut file, after the place where it stopped being sound.
         damaged: parts before that place that were left out, by cause.
+        lost: what was in them, in words; empty where nothing was, or nothing is known.
     """
 
     messages: int
     bytes_unread: int
     damaged: dict[str, int]
+    lost: str = ""
 
 
 def recover(cut: Path | str, out: Path | str) -> Recovered:
@@ -56,7 +59,8 @@ def recover(cut: Path | str, out: Path | str) -> Recovered:
                 "no_message", f"{cut} holds not one whole message.", "Nothing can be saved from it; record again.",
                 file=cut,
             )  # fmt: skip
-    return Recovered(messages, source.soundness.bytes_unread, source.soundness.damaged)
+    soundness = source.soundness
+    return Recovered(messages, soundness.bytes_unread, soundness.damaged, lost_text(soundness))
 
 
 def _copy(source: McapFile, file: Any) -> int:  # noqa: ANN401 - a binary file, as the writer of mcap wants it

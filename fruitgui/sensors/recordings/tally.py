@@ -59,7 +59,7 @@ class Tally:
         for cause, count in self.soundness.damaged.items():
             lines.append(f"{path.name}: {count} damaged part{'s' * (count > 1)} left out: {cause}.")
         if self.soundness.lost_ns is not None:
-            lines.append(f"{path.name}: {_lost(self.soundness, *self.soundness.lost_ns)}.")
+            lines.append(f"{path.name}: {lost_text(self.soundness)}.")
         for sensor in sorted(self.too_late):
             lines.append(
                 f"{path.name}: {sensor} comes only later in this recording, which has no table of contents, and is "
@@ -71,8 +71,11 @@ class Tally:
         return lines
 
 
-def _lost(soundness: Soundness, first_ns: int, last_ns: int) -> str:
-    """Return what was in the chunks that were left out."""
+def lost_text(soundness: Soundness) -> str:
+    """Return what was in the chunks that were left out; empty where none was, or nothing is known of them."""
+    if soundness.lost_ns is None:
+        return ""
+    first_ns, last_ns = soundness.lost_ns
     frames: dict[str, int] = {}
     for topic, count in soundness.lost.items():
         sensor = sensor_of(topic)

@@ -193,6 +193,10 @@
         <translation>Se terminó porque ningún sensor da ya imágenes.</translation>
     </message>
     <message>
+        <source>{count} pictures did not come whole from the sensors: check them.</source>
+        <translation>{count} imágenes no llegaron enteras de los sensores: revíselos.</translation>
+    </message>
+    <message>
         <source>{count} pictures were lost: this computer, or its disk, is too slow.</source>
         <translation>Se perdieron {count} imágenes: este computador, o su disco, es demasiado lento.</translation>
     </message>

@@ -110,7 +110,10 @@ def test_recovering_goes_on_behind_a_damaged_head(
     data = bytearray(path.read_bytes())
     damage(data, start)
     path.write_bytes(data)
-    recover(path, tmp_path / "good.mcap")
+    assert (
+        "lost 2 frames of k1 and 2 frames of k2 between 12.00 s and 15.00 s"
+        in recover(path, tmp_path / "good.mcap").lost
+    )
     seen, warnings = times_s(tmp_path / "good.mcap")
     assert seen == ALL_S[:12] + ALL_S[16:]
     assert warnings == []
