@@ -64,5 +64,8 @@ def known_drivers() -> tuple[Driver, ...]:
     Making them loads no library.
     """
     from fruitgui.sensors.kinect.driver import KinectDriver
+    from fruitgui.sensors.oak import OAK
+    from fruitgui.sensors.orbbec import ORBBEC
+    from fruitgui.sensors.realsense import REALSENSE
 
-    return (KinectDriver(),)
+    return (KinectDriver(), REALSENSE, ORBBEC, OAK)

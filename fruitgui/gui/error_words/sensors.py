@@ -52,6 +52,10 @@ def words() -> Mapping[str, tuple[str, str]]:
             translate("Errors", "A part of the line's work failed."),
             translate("Errors", "The line goes on; if this comes often, calibrate again. The log says more."),
         ),
+        "matroska": (
+            translate("Errors", "{file} is a video of an Azure Kinect's recorder, which cannot be read here."),
+            translate("Errors", "Play it through the Azure Kinect's ROS driver and record that as .mcap or .bag."),
+        ),
         "mixed_sizes": (
             translate("Errors", "The pictures of one sensor differ in size."),
             translate("Errors", "Record all of them at one resolution."),
@@ -123,6 +127,10 @@ def words() -> Mapping[str, tuple[str, str]]:
         "simulation_ended": (
             translate("Errors", "The simulated rig has ended."),
             translate("Errors", "It is started again by itself."),
+        ),
+        "sqlite_recording": (
+            translate("Errors", "{file} is a ROS 2 recording in an SQLite file, which cannot be read here."),
+            translate("Errors", "Turn it into MCAP with rosbags-convert, or choose another recording."),
         ),
         "too_many_sensors": (
             translate("Errors", "{file} holds more sensors than can be read together."),

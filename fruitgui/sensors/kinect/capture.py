@@ -9,7 +9,8 @@ from collections import deque
 from dataclasses import dataclass
 
 from fruitgui.errors import FruitguiError
-from fruitgui.sensors.kinect.clock import FRAME_TICKS, HostClock, TickCounter
+from fruitgui.sensors.host_clock import HostClock
+from fruitgui.sensors.kinect.clock import FRAME_TICKS, TICKS_PER_S, TickCounter
 from fruitgui.sensors.kinect.device import Picture
 from fruitgui.sensors.kinect.packets import Stream
 from fruitgui.sensors.kinect.pairing import ColorPicture, DepthPicture, Pair, Pairing
@@ -61,7 +62,7 @@ class Captures:
                 depth = DepthPicture(ticks, picture.arrived_s, picture.pixels, picture.whole)  # type: ignore[arg-type]
                 pairs = self._pairing.add_depth(depth)
             else:
-                self._clock.hear(ticks, picture.arrived_s)
+                self._clock.hear(ticks / TICKS_PER_S, picture.arrived_s)
                 pairs = self._pairing.add_color(ColorPicture(ticks, picture.pixels, picture.whole))  # type: ignore[arg-type]
             self._waiting.extend(self._captured(pair) for pair in pairs)
             self._changed.notify_all()
@@ -102,7 +103,7 @@ class Captures:
         self._sequence += min(max(steps, 1), _MOST_STEPS)
         self._last_ticks = ticks
         jumps = self._clock.jumps
-        time_s = self._clock.time_s(ticks, pair.depth.arrived_s)
+        time_s = self._clock.time_s(ticks / TICKS_PER_S, pair.depth.arrived_s)
         if self._clock.jumps > jumps:
             log.warning("The clock of Kinect %s jumped; its times go on by the host's clock.", self._serial)
         return Capture(pair, self._sequence, time_s)

@@ -1,26 +1,12 @@
-"""The device's clock: ticks of 60 MHz in 32 bits, counted on and brought to the host's clock."""
+"""The device's clock: ticks of 60 MHz in 32 bits, counted on."""
 
 from __future__ import annotations
-
-import math
-from collections import deque
-from itertools import pairwise
 
 TICKS_PER_S = 60_000_000
 FRAME_TICKS = 2_000_000
 """From one picture to the next."""
 
 _WRAP = 1 << 32
-_BINS, _BIN_S = 60, 1.0
-_FASTEST = 200e-6
-"""No quartz is off by more than this part of the time."""
-_EARLY_S, _LATE_S = 0.05, 0.5
-"""A picture that comes earlier than it was taken, or so much later than usual, says that the device's clock jumped."""
-_YOUNG_S = 2.0
-"""At the beginning it was the first pictures that came late: a host that opens a device is busy."""
-
-_JUMPED_FRAMES = 3
-_SHORTEST_STEP_S = 1e-4
 
 
 class TickCounter:
@@ -47,109 +33,3 @@ class TickCounter:
             ticks = last + step + round((expected - step) / _WRAP) * _WRAP
         self._last = (ticks, arrived_s)
         return ticks
-
-
-class HostClock:
-    """Gives capture times in the host's monotonic clock to a device's ticks, in their order.
-
-    A picture may come late but never early, so of each second the one that came
-    soonest counts, and the line below all of these that lies closest to them
-    (as Moon, Skelly and Towsley, INFOCOM 1999, for packets) is the device's
-    clock in the host's: what is left over is the least time that a picture
-    takes. A clock that jumps is noticed, and its line begun anew.
-    """
-
-    def __init__(self) -> None:
-        self._soonest: deque[tuple[float, float]] = deque(maxlen=_BINS)
-        self._line = (0.0, 0.0)
-        self._odd = 0
-        self._newest_s = -math.inf
-        self._given_s: float | None = None
-        self.jumps = 0
-
-    def hear(self, ticks: int, arrived_s: float) -> None:
-        """Take in a picture whose time nobody asks for: colour comes all the time, depth only in its turns."""
-        device_s = ticks / TICKS_PER_S
-        if not self._soonest or self._is_usual(device_s, arrived_s - device_s):
-            self._note(device_s, arrived_s - device_s)
-
-    def time_s(self, ticks: int, arrived_s: float) -> float:
-        """Return when the picture of these ticks was taken; always later than the one before.
-
-        Args:
-            ticks: as counted on. arrived_s: when the picture came.
-        """
-        device_s = ticks / TICKS_PER_S
-        late_s = arrived_s - device_s
-        if self._soonest and not (device_s > self._newest_s and self._is_usual(device_s, late_s)):
-            return self._odd_one(device_s, late_s, arrived_s)
-        self._odd, self._newest_s = 0, device_s
-        self._note(device_s, late_s)
-        return self._later(self._soonest[-1][0], device_s)
-
-    def _is_usual(self, device_s: float, late_s: float) -> bool:
-        offset_s, drift = self._line
-        since_s = device_s - self._soonest[-1][0]
-        off_s = late_s - offset_s - drift * since_s
-        unsure_s = 2.0 * _FASTEST * max(since_s, 0.0)
-        young = device_s - self._soonest[0][0] < _YOUNG_S
-        return -(_YOUNG_S if young else _EARLY_S) - unsure_s <= off_s <= _LATE_S + unsure_s
-
-    def _odd_one(self, device_s: float, late_s: float, arrived_s: float) -> float:
-        """Believe the host for once; begin anew where the device insists."""
-        self._odd += 1
-        if self._odd < _JUMPED_FRAMES:
-            return self._forward(arrived_s)
-        self._odd, self._newest_s = 0, device_s
-        self.jumps += 1
-        self._soonest.clear()
-        self._note(device_s, late_s)
-        return self._later(device_s, device_s)
-
-    def _note(self, device_s: float, late_s: float) -> None:
-        if not self._soonest or _bin(device_s) > _bin(self._soonest[-1][0]):
-            self._soonest.append((device_s, late_s))
-        elif late_s < self._soonest[-1][1]:
-            self._soonest[-1] = (device_s, late_s)
-        else:
-            return
-        self._line = _line_below(list(self._soonest))
-
-    def _later(self, origin_s: float, device_s: float) -> float:
-        offset_s, drift = self._line
-        return self._forward(device_s + offset_s + drift * (device_s - origin_s))
-
-    def _forward(self, time_s: float) -> float:
-        if self._given_s is not None:
-            time_s = max(time_s, self._given_s + _SHORTEST_STEP_S)
-        self._given_s = time_s
-        return time_s
-
-
-def _bin(device_s: float) -> int:
-    return int(device_s // _BIN_S)
-
-
-def _line_below(points: list[tuple[float, float]]) -> tuple[float, float]:
-    """Return (value at the last point, slope) of the line below all points that lies closest to them.
-
-    It goes along the edge of the lower convex hull that passes the middle of the points; its slope is bounded.
-    """
-    hull: list[tuple[float, float]] = []
-    for x, y in sorted(points):
-        while len(hull) > 1 and _turns_down(hull[-2], hull[-1], (x, y)):
-            hull.pop()
-        hull.append((x, y))
-    last = points[-1][0]
-    middle = sum(x for x, _ in points) / len(points)
-    slope = 0.0
-    for (x0, y0), (x1, y1) in pairwise(hull):
-        if x0 <= middle <= x1 and x1 > x0:
-            slope = min(max((y1 - y0) / (x1 - x0), -_FASTEST), _FASTEST)
-            break
-    offset = min(y - slope * (x - last) for x, y in points)
-    return offset, slope
-
-
-def _turns_down(a: tuple[float, float], b: tuple[float, float], c: tuple[float, float]) -> bool:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) <= 0.0

@@ -11,6 +11,7 @@ from fruitgui.sensors.recordings.raw import Container
 from fruitgui.sensors.recordings.records import MAGIC
 
 _REMEDY = "Name an MCAP file (ROS 2 messages) or a ROS 1 .bag."
+_MATROSKA, _SQLITE = b"\x1aE\xdf\xa3", b"SQLite format 3\0"
 
 
 def open_container(path: Path) -> Container:
@@ -37,4 +38,15 @@ def open_container(path: Path) -> Container:
         ) from error  # fmt: skip
     if not start:
         raise InputError("empty_recording", f"{path} is empty.", "Record again, or name another file.", file=path)
+    if start.startswith(_MATROSKA):
+        raise InputError(
+            "matroska", f"{path} is a Matroska video, as the Azure Kinect's recorder makes them.",
+            "Reading its depth takes Microsoft's libk4arecord, which is not kept any more: play it through the "
+            "Azure Kinect's ROS driver and record that as MCAP or .bag.", file=path,
+        )  # fmt: skip
+    if start.startswith(_SQLITE):
+        raise InputError(
+            "sqlite_recording", f"{path} is a ROS 2 recording in an SQLite file (.db3), not in MCAP.",
+            f"Turn it into MCAP: rosbags-convert --src {path} --dst NEW_FOLDER --dst-storage mcap", file=path,
+        )  # fmt: skip
     raise InputError("not_a_recording", f"{path} is not a recording that can be read.", _REMEDY, file=path)

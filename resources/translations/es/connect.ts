@@ -973,6 +973,22 @@
         <translation>En una terminal: sudo apt install libusb-1.0-0. Luego inicie este programa de nuevo.</translation>
     </message>
     <message>
+        <source>The library of its maker is not installed.</source>
+        <translation>La biblioteca de su fabricante no está instalada.</translation>
+    </message>
+    <message>
+        <source>The manual, “Which sensors”, tells how it is installed. Then start this program again.</source>
+        <translation>El manual, «Qué sensores», dice cómo se instala. Después inicie de nuevo este programa.</translation>
+    </message>
+    <message>
+        <source>The library of its maker cannot be loaded.</source>
+        <translation>La biblioteca de su fabricante no se puede cargar.</translation>
+    </message>
+    <message>
+        <source>Install it again; the manual, “Which sensors”, tells how.</source>
+        <translation>Instálela de nuevo; el manual, «Qué sensores», dice cómo.</translation>
+    </message>
+    <message>
         <source>It is not plugged in.</source>
         <translation>No está enchufado.</translation>
     </message>
@@ -1035,6 +1051,10 @@
     <message>
         <source>Its near mode is not used.</source>
         <translation>No se usa su modo cercano.</translation>
+    </message>
+    <message>
+        <source>On a USB 2 port it gives fewer and smaller pictures: plug it into a USB 3 port with a USB 3 cable.</source>
+        <translation>En un puerto USB 2 da menos imágenes y más pequeñas: conéctelo a un puerto USB 3 con un cable USB 3.</translation>
     </message>
     <message>
         <source>It cannot be told apart from another one that has the same serial: plug in only one of them.</source>

@@ -288,6 +288,14 @@
         <translation>La línea sigue; si pasa a menudo, calibre de nuevo. El registro dice más.</translation>
     </message>
     <message>
+        <source>{file} is a video of an Azure Kinect&apos;s recorder, which cannot be read here.</source>
+        <translation>{file} es un vídeo de la grabadora de Azure Kinect, que aquí no se puede leer.</translation>
+    </message>
+    <message>
+        <source>Play it through the Azure Kinect&apos;s ROS driver and record that as .mcap or .bag.</source>
+        <translation>Reprodúzcalo con el controlador ROS de Azure Kinect y grábelo como .mcap o .bag.</translation>
+    </message>
+    <message>
         <source>The pictures of one sensor differ in size.</source>
         <translation>Las imágenes de un sensor tienen tamaños distintos.</translation>
     </message>
@@ -398,6 +406,14 @@
     <message>
         <source>A sensor is not running.</source>
         <translation>Un sensor no está en marcha.</translation>
+    </message>
+    <message>
+        <source>{file} is a ROS 2 recording in an SQLite file, which cannot be read here.</source>
+        <translation>{file} es una grabación de ROS 2 en un archivo SQLite, que aquí no se puede leer.</translation>
+    </message>
+    <message>
+        <source>Turn it into MCAP with rosbags-convert, or choose another recording.</source>
+        <translation>Conviértala a MCAP con rosbags-convert, o elija otra grabación.</translation>
     </message>
     <message>
         <source>USB cannot be used on this computer.</source>

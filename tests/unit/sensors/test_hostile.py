@@ -189,6 +189,8 @@ def test_where_all_is_damaged_the_damage_is_the_reason_given(
     [
         ("empty.mcap", b""),
         ("foreign.mcap", b"PK\x03\x04" + bytes(500)),
+        ("azure.mkv", b"\x1aE\xdf\xa3" + bytes(500)),
+        ("realsense.db3", b"SQLite format 3\0" + bytes(500)),
         ("text.bag", b"hello, world\n" * 50),
         ("magic.mcap", MAGIC),
         ("two_magics.mcap", MAGIC + MAGIC),

@@ -20,6 +20,16 @@ def fault_words() -> Mapping[str, tuple[str, str]]:
             translate("Driver", "The library for USB is not installed."),
             translate("Driver", "In a terminal: sudo apt install libusb-1.0-0. Then start this program again."),
         ),
+        "sdk_missing": (
+            translate("Driver", "The library of its maker is not installed."),
+            translate(
+                "Driver", "The manual, “Which sensors”, tells how it is installed. Then start this program again."
+            ),
+        ),
+        "sdk_broken": (
+            translate("Driver", "The library of its maker cannot be loaded."),
+            translate("Driver", "Install it again; the manual, “Which sensors”, tells how."),
+        ),
         "sensor_gone": (
             translate("Driver", "It is not plugged in."),
             translate("Driver", "Check its USB cable and its power supply; it starts by itself when it returns."),
@@ -66,6 +76,10 @@ def _limits() -> Mapping[str, str]:
             "Driver", "It is known by the serial of its microphone, since its camera has none."
         ),
         "Its near mode is not used": translate("Driver", "Its near mode is not used."),
+        "On a USB 2 port it gives": translate(
+            "Driver",
+            "On a USB 2 port it gives fewer and smaller pictures: plug it into a USB 3 port with a USB 3 cable.",
+        ),
         "This user may not open it": translate("Driver", "The system does not let you use it."),
         "It cannot be told apart": translate(
             "Driver", "It cannot be told apart from another one that has the same serial: plug in only one of them."

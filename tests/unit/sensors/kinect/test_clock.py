@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fruitgui.sensors.kinect.clock import FRAME_TICKS, TICKS_PER_S, HostClock, TickCounter
+from fruitgui.sensors.host_clock import HostClock
+from fruitgui.sensors.kinect.clock import FRAME_TICKS, TICKS_PER_S, TickCounter
 
 WRAP = 1 << 32
 WRAP_S = WRAP / TICKS_PER_S
@@ -41,7 +42,9 @@ def played(late_s: np.ndarray, drift: float = 0.0, begin: int = 12345) -> tuple[
     clock = HostClock()
     true_s = 1000.0 + np.arange(len(late_s)) / 30.0
     ticks = begin + np.rint((true_s - true_s[0]) * (1.0 + drift) * TICKS_PER_S).astype(np.int64)
-    given_s = [clock.time_s(int(t), float(s + late)) for t, s, late in zip(ticks, true_s, late_s, strict=True)]
+    given_s = [
+        clock.time_s(int(t) / TICKS_PER_S, float(s + late)) for t, s, late in zip(ticks, true_s, late_s, strict=True)
+    ]
     assert clock.jumps == 0
     return true_s, np.array(given_s)
 
@@ -70,7 +73,7 @@ def test_a_clock_that_jumps_is_followed_without_going_back() -> None:
         for count in range(600):
             time_s = 50.0 + count / 30.0
             ticks = 10**10 + count * FRAME_TICKS + (jump if count >= 300 else 0)
-            given_s.append(clock.time_s(ticks, time_s + 0.004 + rng.exponential(0.002)))
+            given_s.append(clock.time_s(ticks / TICKS_PER_S, time_s + 0.004 + rng.exponential(0.002)))
             true_s.append(time_s + 0.004)
         off_s = np.array(given_s) - np.array(true_s)
         assert clock.jumps == 1
@@ -85,7 +88,7 @@ def test_whatever_a_clock_says_times_go_forward_and_are_finite(said: list[tuple[
     host_s, given_s = 500.0, []
     for raw, pause_s in said:
         host_s += pause_s
-        given_s.append(clock.time_s(counter.count(raw, host_s), host_s))
+        given_s.append(clock.time_s(counter.count(raw, host_s) / TICKS_PER_S, host_s))
     assert np.isfinite(given_s).all()
     assert (np.diff(given_s) > 0).all()
 
@@ -96,7 +99,7 @@ def test_a_projector_that_was_off_for_long_begins_where_the_clock_is() -> None:
         for count in range(30):
             time_s = 10.0 + burst_s + count / 30.0
             raw = round(time_s * TICKS_PER_S * (1.0 + 50e-6)) % WRAP
-            given_s = clock.time_s(counter.count(raw, time_s + 0.005), time_s + 0.005)
+            given_s = clock.time_s(counter.count(raw, time_s + 0.005) / TICKS_PER_S, time_s + 0.005)
             assert given_s == pytest.approx(time_s + 0.005, abs=0.021)
     assert pytest.approx(71.6, abs=0.1) == WRAP_S
 
@@ -111,18 +114,18 @@ def test_a_host_that_is_busy_for_long_moves_no_time() -> None:
 def test_colour_alone_sets_the_clock_before_depth_comes() -> None:
     clock, rng = HostClock(), np.random.default_rng(8)
     for count in range(30):
-        clock.hear(count * FRAME_TICKS, 200.0 + count / 30.0 + 0.004 + rng.exponential(0.01))
-    clock.hear(29 * FRAME_TICKS - 60_000, 200.0 + 29 / 30.0 + 0.004)  # somewhat before the last
-    given_s = clock.time_s(30 * FRAME_TICKS, 200.0 + 1.0 + 0.3)  # and very late itself
+        clock.hear(count * FRAME_TICKS / TICKS_PER_S, 200.0 + count / 30.0 + 0.004 + rng.exponential(0.01))
+    clock.hear((29 * FRAME_TICKS - 60_000) / TICKS_PER_S, 200.0 + 29 / 30.0 + 0.004)  # somewhat before the last
+    given_s = clock.time_s(30 * FRAME_TICKS / TICKS_PER_S, 200.0 + 1.0 + 0.3)  # and very late itself
     assert given_s == pytest.approx(201.004, abs=2e-3)
 
 
 def test_colour_of_another_clock_moves_nothing() -> None:
     clock = HostClock()
     for count in range(60):
-        clock.time_s(count * FRAME_TICKS, 200.0 + count / 30.0)
-        clock.hear((count + 10**6) * FRAME_TICKS, 200.0 + count / 30.0)
-    assert clock.time_s(60 * FRAME_TICKS, 202.0) == pytest.approx(202.0, abs=1e-6)
+        clock.time_s(count * FRAME_TICKS / TICKS_PER_S, 200.0 + count / 30.0)
+        clock.hear((count + 10**6) * FRAME_TICKS / TICKS_PER_S, 200.0 + count / 30.0)
+    assert clock.time_s(60 * FRAME_TICKS / TICKS_PER_S, 202.0) == pytest.approx(202.0, abs=1e-6)
     assert clock.jumps == 0
 
 
@@ -130,7 +133,7 @@ def test_a_host_that_is_busy_at_the_beginning_tells_no_jump() -> None:
     clock, rng = HostClock(), np.random.default_rng(9)
     for count in range(120):
         late_s = 0.7 if count < 5 else 0.004 + float(rng.exponential(0.003))
-        given_s = clock.time_s(count * FRAME_TICKS, 200.0 + count / 30.0 + late_s)
+        given_s = clock.time_s(count * FRAME_TICKS / TICKS_PER_S, 200.0 + count / 30.0 + late_s)
         if count > 40:
             assert given_s == pytest.approx(200.004 + count / 30.0, abs=2e-3)
     assert clock.jumps == 0
