@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -25,6 +27,7 @@ from fruitgui.gui.steps.belt.projection import Projection, grid_lines
 from fruitgui.gui.theme.stamps import drawn_pixmap
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import DARK, RADIUS, TOUCH
+from fruitgui.gui.widgets.strokes import on_screen, paint_lines, path_of
 
 HANDLE_PX = 9.0
 STEP_M, FAR_STEP_M = 0.005, 0.05
@@ -230,17 +233,16 @@ class RegionCanvas(QWidget):
 
     def _paint_region(self, painter: QPainter, view: Projection) -> None:
         to_screen = self._to_screen(view)
-        outline = _path(view, to_screen, _dense(self._corners_m), closed=True)
+        outline = path_of(_seen_lines(view, to_screen, [_dense(self._corners_m)]), closed=True)
         outside = QPainterPath()
         outside.addRect(self._place(view))
         painter.fillPath(outside.subtracted(outline), OUTSIDE)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(GRID_INK, 1.0))
-        painter.save()
-        painter.setClipPath(outline, Qt.ClipOperation.IntersectClip)
-        for line in grid_lines(self._corners_m, self._axis_rad) if len(self._corners_m) else ():
-            painter.drawPath(_path(view, to_screen, line, closed=False))
-        painter.restore()
+        if len(self._corners_m):
+            painter.save()
+            painter.setClipPath(outline, Qt.ClipOperation.IntersectClip)
+            paint_lines(painter, _seen_lines(view, to_screen, grid_lines(self._corners_m, self._axis_rad)), GRID_INK)
+            painter.restore()
         painter.setPen(QPen(LINE, 2.5))
         painter.drawPath(outline)
         if self._arrow_m is not None:
@@ -269,14 +271,14 @@ def _dense(corners_m: F64) -> F64:
     return np.concatenate([a + (b - a) * steps for a, b in zip(corners_m, following, strict=True)])
 
 
-def _path(view: Projection, to_screen: QTransform, plan_m: F64, *, closed: bool) -> QPainterPath:
-    path = QPainterPath()
-    pixels = view.seen(plan_m) if len(plan_m) else np.zeros((0, 2))
-    points = [QPointF(float(u), float(v)) for u, v in pixels if np.isfinite(u) and np.isfinite(v)]
-    path.addPolygon(to_screen.map(QPolygonF(points)))
-    if closed:
-        path.closeSubpath()
-    return path
+def _seen_lines(view: Projection, to_screen: QTransform, lines_m: Sequence[F64]) -> list[F64]:
+    """Return lines of the plan, each (K, 2), as they are seen on the screen: the points that are in sight."""
+    points_m = np.concatenate(lines_m)
+    if not len(points_m):
+        return []
+    seen = on_screen(view.seen(points_m), to_screen)
+    lines = np.split(seen, np.cumsum([len(one) for one in lines_m])[:-1])
+    return [one[np.isfinite(one).all(axis=1)] for one in lines]
 
 
 def _paint_arrow(painter: QPainter, start: QPointF, end: QPointF) -> None:
