@@ -62,7 +62,7 @@ class SensorsSteadiness(QObject):
         self._look.stop()
         self._watched = None
         self._said.clear()
-        self._ending = [watch for watch in self._ending if not watch.wait(0.0)]
+        self._ending = [watch for watch in self._ending if watch.running]
         if self._watch is not None:
             self._watch.stop()
             self._ending.append(self._watch)

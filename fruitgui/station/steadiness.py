@@ -129,6 +129,11 @@ class SteadinessWatch:
         """Let it end after what it does just now; waits for nothing."""
         self._stop.set()
 
+    @property
+    def running(self) -> bool:
+        """Whether its thread has not ended yet."""
+        return self._thread.is_alive()
+
     def wait(self, timeout_s: float) -> bool:
         """Return whether it has ended, in that time."""
         if self._thread.ident is not None:
