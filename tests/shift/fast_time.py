@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import queue
 import threading
 import time
@@ -52,16 +53,22 @@ class FastTime:
 
     def install(self) -> None:
         """Take the place of the clock, for the rest of the process."""
-        wait = threading.Condition.wait
 
-        def sooner(condition: threading.Condition, timeout: float | None = None) -> bool:
-            if timeout is None:
-                return wait(condition)
-            end_s = self.now_s() + timeout
-            while not wait(condition, self._slice_s(end_s)):
-                if self.now_s() >= end_s:
-                    return False
-            return True
+        def wait(condition: Any, timeout: float | None = None) -> bool:  # noqa: ANN401 - its own parts are used
+            """As `Condition.wait`, but the wait for one and the same notice goes on where the rate changes."""
+            notice = threading.Lock()
+            notice.acquire()
+            condition._waiters.append(notice)
+            state = condition._release_save()
+            noticed = False
+            try:
+                noticed = notice.acquire() if timeout is None else self._acquired(notice, self.now_s() + timeout)
+                return noticed
+            finally:
+                condition._acquire_restore(state)
+                if not noticed:
+                    with contextlib.suppress(ValueError):
+                        condition._waiters.remove(notice)
 
         def sleep(seconds: float) -> None:
             end_s = self.now_s() + seconds
@@ -73,7 +80,13 @@ class FastTime:
         modules[0].sleep = sleep
         modules[1]._time = self.now_s
         modules[2].time = self.now_s
-        modules[1].Condition.wait = sooner
+        modules[1].Condition.wait = wait
+
+    def _acquired(self, notice: threading.Lock, end_s: float) -> bool:
+        while not notice.acquire(timeout=self._slice_s(end_s)):
+            if self.now_s() >= end_s:
+                return False
+        return True
 
     def _slice_s(self, end_s: float) -> float:
         """Return how long to wait by the wall's clock until some time comes, or until the rate is another."""
