@@ -25,7 +25,7 @@
     </message>
     <message>
         <source>{sensor} sees two surfaces that could be the belt. Check its grid on the screen “Belt”.</source>
-        <translation>{sensor} ve dos superficies que podrían ser la cinta. Revise su cuadrícula en la pantalla “Cinta”.</translation>
+        <translation>{sensor} ve dos superficies que podrían ser la cinta. Revise su cuadrícula en la pantalla «Cinta».</translation>
     </message>
     <message>
         <source>{one} sees distances {share} % longer than {other}: the depth of one of them is off. Correct it on the screen “Connect”.</source>
@@ -296,7 +296,7 @@
     </message>
     <message>
         <source>Not all sensors give pictures; look after them on the screen “Connect”.</source>
-        <translation>No todos los sensores entregan imágenes; revíselos en la pantalla “Conectar”.</translation>
+        <translation>No todos los sensores entregan imágenes; revíselos en la pantalla «Conectar».</translation>
     </message>
     <message>
         <source>Put fruit on the belt as in the picture, then press Calibrate. It takes some seconds.</source>

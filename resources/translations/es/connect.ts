@@ -85,7 +85,7 @@
     </message>
     <message>
         <source>Press “Let me use them…”. Then unplug it and plug it in again.</source>
-        <translation>Presione “Permitir usarlos…”. Luego desenchúfelo y enchúfelo de nuevo.</translation>
+        <translation>Presione «Permitir usarlos…». Luego desenchúfelo y enchúfelo de nuevo.</translation>
     </message>
     <message>
         <source>The system does not let you use it, although the rules are installed.</source>
@@ -149,7 +149,7 @@
     </message>
     <message>
         <source>Press “Let me use them…”. Of two with one serial, plug in only one.</source>
-        <translation>Presione “Permitir usarlos…”. De dos con la misma serie, enchufe uno solo.</translation>
+        <translation>Presione «Permitir usarlos…». De dos con la misma serie, enchufe uno solo.</translation>
     </message>
     <message>
         <source>Its driver hangs.</source>
@@ -375,11 +375,11 @@
     </message>
     <message>
         <source>Devices that are plugged in appear here by themselves. If one does not, press “Check sensors…”.</source>
-        <translation>Los dispositivos que se enchufan aparecen aquí por sí solos. Si alguno no aparece, presione “Revisar sensores…”.</translation>
+        <translation>Los dispositivos que se enchufan aparecen aquí por sí solos. Si alguno no aparece, presione «Revisar sensores…».</translation>
     </message>
     <message>
         <source>No device was found. Plug your sensors in and they appear here by themselves; if one does not, press “Check sensors…”. Recordings (MCAP of ROS 2, bag of ROS 1) and the simulated rig work without any.</source>
-        <translation>No se encontró ningún dispositivo. Enchufe sus sensores y aparecen aquí por sí solos; si alguno no aparece, presione “Revisar sensores…”. Las grabaciones (MCAP de ROS 2, bag de ROS 1) y el equipo simulado funcionan sin ninguno.</translation>
+        <translation>No se encontró ningún dispositivo. Enchufe sus sensores y aparecen aquí por sí solos; si alguno no aparece, presione «Revisar sensores…». Las grabaciones (MCAP de ROS 2, bag de ROS 1) y el equipo simulado funcionan sin ninguno.</translation>
     </message>
     <message>
         <source>One sensor</source>
@@ -1002,7 +1002,7 @@
     </message>
     <message>
         <source>Press “Check sensors…” and there “Let me use them…”.</source>
-        <translation>Presione “Revisar sensores…” y allí “Permitir usarlos…”.</translation>
+        <translation>Presione «Revisar sensores…» y allí «Permitir usarlos…».</translation>
     </message>
     <message>
         <source>Another program uses it.</source>
@@ -1010,7 +1010,7 @@
     </message>
     <message>
         <source>Close that program; “Check sensors…” tells which it is.</source>
-        <translation>Cierre ese programa; “Revisar sensores…” dice cuál es.</translation>
+        <translation>Cierre ese programa; «Revisar sensores…» dice cuál es.</translation>
     </message>
     <message>
         <source>Another Kinect has the same serial: they cannot be told apart.</source>
