@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fruitgui.classification.axes import view_axes
+from fruitgui.classification.axes import axes_of, view_axes
 from fruitgui.classification.decision import Novelty, Scores, Weighing, decide
-from fruitgui.classification.density import Density, FruitVectors, fruit_vectors, unheard
+from fruitgui.classification.density import Density, FruitVectors, fruit_vectors
 from fruitgui.classification.evidence import Evidence, FeatureNames, KindVote
 from fruitgui.classification.network import Network
 from fruitgui.errors import InputError
@@ -59,10 +59,15 @@ class Core:
 
 
 def view_rows(evidence: Evidence, names: FeatureNames) -> F64:
-    """Return the views of a fruit as axes (n, A); NaN where a neighbour spoils them."""
+    """Return the views of a fruit as axes (n, A) for the perceptron; NaN where others or the picture's edge spoil them.
+
+    The density grants such a fruit wider spreads. A perceptron can allow for nothing, so it hears nothing of what only
+    a fruit that stands alone shows, which it was trained to do without.
+    """
     rows = view_axes(evidence.view_features, names)
-    silent = unheard(evidence, names)
-    rows[:, silent[silent < rows.shape[1]]] = np.nan
+    if not (evidence.alone and evidence.whole):
+        lone = axes_of(names).lone
+        rows[:, lone[lone < rows.shape[1]]] = np.nan
     return rows
 
 

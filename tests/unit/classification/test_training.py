@@ -172,3 +172,21 @@ def test_what_touches_others_is_known_by_its_size_too(trained: Training[KindMode
         for fruit, whole in ((one.fruit_features, True), (swollen, True), (swollen, False))
     ]
     assert kinds == ["kind 1", UNKNOWN, "kind 1"]
+
+
+def test_outlines_that_show_two_fruit_do_not_sway_the_perceptron(
+    trained: Training[KindModel], orchard: Orchard
+) -> None:
+    """Shapes of another kind, as cutting a group wrongly gives them, count for a fruit that stands alone only."""
+    one, other = (orchard.fruit(kind, 12, np.random.default_rng(6)).view_features for kind in (1, 2))
+    shapes = [at for at, name in enumerate(NAMES.view) if name.startswith("shape_")]
+    mixed = one.copy()
+    mixed[:, shapes] = other[:, shapes]
+    sizes = orchard.fruit(1, 12, np.random.default_rng(6)).fruit_features
+    views = [
+        trained.model.core.scores(Evidence(rows, sizes, alone=alone)).views
+        for rows, alone in ((one, False), (mixed, False), (one, True), (mixed, True))
+    ]
+    assert np.allclose(views[0], views[1])
+    assert views[0].argmax() == 1
+    assert views[2][1] - views[3][1] > 1.0
