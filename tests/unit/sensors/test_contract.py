@@ -49,7 +49,7 @@ def test_playback(tmp_path: Path, no_leaked_threads: None) -> None:  # noqa: ARG
 @inside
 def test_kinect_on_the_emulated_bus(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
     usb.plug_in(Kinect("A1"), Kinect("B2", MODEL_1473))
-    with Player(usb):
+    with Player(usb, wait_ms=2000):
         for serial in ("A1", "B2"):
             walk(KinectDriver().sensor(serial))
 
