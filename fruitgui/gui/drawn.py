@@ -75,12 +75,15 @@ class BeltMap:
         blind: sensors that give nothing now.
         fruit: on it.
         speed_m_s: of the belt; None where not known yet.
+        words: what nobody sees of it; empty where all is seen. lost: fruit may pass unseen.
     """
 
     footprints_m: dict[str, F64]
     blind: frozenset[str]
     fruit: tuple[MappedFruit, ...]
     speed_m_s: float | None
+    words: str = ""
+    lost: bool = False
 
 
 @dataclass(frozen=True, slots=True)

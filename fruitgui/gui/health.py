@@ -9,12 +9,14 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
 
+from fruitgui.gui.blind_words import blind_remedy, blind_text
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.recorder_words import clock_time
 from fruitgui.gui.session import Session
 from fruitgui.gui.top_bar import Pill, TopBar
 from fruitgui.sensors.feed import Running, SensorHealth
+from fruitgui.station.live.blind import Blind
 from fruitgui.station.live.state import LiveState, LiveWarning
 from fruitgui.station.record_state import RecordPlan, RecordState
 
@@ -28,6 +30,8 @@ BEHIND_FRAMES = 30
 STAYING = ("calibration_stale", "not_kept", "fruit_not_counted")
 """Warnings that stay until a person has put them away: a lot may be wrong by them."""
 
+AWAY = ("part_blind", "sensor_away")
+
 BYTES_PER_GB = 1e9
 
 
@@ -38,7 +42,7 @@ class HealthWatch(QObject):
         super().__init__(parent)
         self._session = session
         self._bar = bar
-        self._said: set[tuple[str, tuple[str, ...]]] = set()
+        self._said: set[tuple[str, tuple[str, ...], int]] = set()
         self._timer = QTimer(self, interval=LOOK_MS)
         self._timer.timeout.connect(self.look)
         session.running.ticked.connect(self._warn)
@@ -78,11 +82,12 @@ class HealthWatch(QObject):
             self._said.clear()
             return
         for warning in running.state.warnings:
-            key = (warning.code, warning.sensors)
+            # A sensor that goes away once more is said once more.
+            key = (warning.code, warning.sensors, warning.count if warning.code in AWAY else 1)
             if key not in self._said:
                 self._said.add(key)
                 log.warning("%s %s", warning.code, warning.text)
-                self._session.messages.say(warning_message(warning))
+                self._session.messages.say(warning_message(warning, running.state.blind))
 
 
 def line_name(folder: Path) -> str:
@@ -90,12 +95,21 @@ def line_name(folder: Path) -> str:
     return folder.name[:1].upper() + folder.name[1:].replace("_", " ")
 
 
-def warning_message(warning: LiveWarning) -> Message:
-    """Return a warning of the line as a message: what happened, what it means, what to do."""
+def warning_message(warning: LiveWarning, blind: Blind | None = None) -> Message:
+    """Return a warning of the line as a message: what happened, what it means, what to do.
+
+    Args:
+        warning: of the line.
+        blind: what nobody sees now.
+    """
+    if warning.code in AWAY and blind is not None and blind.sensors == warning.sensors:
+        level = Level.BAD if blind.loses_fruit else Level.WARN
+        return Message(level, f"{blind_text(blind)}.", blind_remedy(blind))
     words = {
         "calibration_stale": _bumped, "not_kept": _not_kept, "clock_jumped": _clock_jumped,
         "clock_put_right": _clock_put_right, "sensor_not_matched": _not_matched, "frame_skipped": _skipped,
         "fruit_not_measured": _not_measured, "fruit_not_counted": _not_counted,
+        "part_blind": _away, "sensor_away": _away, "may_be_blinded": _may_be_blinded,
     }.get(warning.code)  # fmt: skip
     if words is None:
         return Message(Level.WARN, warning.text)
@@ -151,6 +165,22 @@ def _not_measured() -> tuple[str, str]:
     return (
         QCoreApplication.translate("Health", "A fruit could not be measured; it is counted with a rough volume."),
         QCoreApplication.translate("Health", "Look at it in the lot, and correct it there if need be."),
+    )
+
+
+def _away() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "No pictures came from {sensors} for a while."),
+        QCoreApplication.translate("Health", "Fruit that only it sees were not counted. Check cable and power."),
+    )
+
+
+def _may_be_blinded() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "A driver hangs, and a projector may be on out of its turn: {sensors}."),
+        QCoreApplication.translate(
+            "Health", "Depth may have holes and sizes may be wrong. Unplug the sensor that gives no pictures."
+        ),
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui.connected import Connected
@@ -15,8 +15,12 @@ from fruitgui.progress import Cancelled, Progress, stop_if
 from fruitgui.sensors.feed import Feed
 from fruitgui.simulation.ahead import SimulatedRig
 from fruitgui.station.connection import Connection, connection_to, named_sensors
+from fruitgui.station.found import FoundWatch, Returning
 from fruitgui.station.sources import Connected as Found
 from fruitgui.station.sources import Source, Sources
+
+LOOK_MS = 1000
+"""How often devices that fell away are looked for."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -33,6 +37,7 @@ class SourceRunner(QObject):
     Attributes:
         opened: a `Connection` whose sensors run from now on.
         changed: it began or ended to open a source.
+        found: what can be connected, as far as was asked.
     """
 
     opened = Signal(object)
@@ -55,6 +60,11 @@ class SourceRunner(QObject):
         self._next: Callable[[], None] | None = None
         self._failure: FruitguiError | None = None
         self._rig: SimulatedRig | None = None
+        self.found = FoundWatch(sources)
+        self._returning = Returning(self.found)
+        self._look = QTimer(self, interval=LOOK_MS)
+        self._look.timeout.connect(self._look_for_lost)
+        self._look.start()
 
     @property
     def sources(self) -> Sources:
@@ -93,6 +103,11 @@ class SourceRunner(QObject):
         """
         found = self._sources.source_of(connection.source).connect()
         return Feed(named_sensors(connection, found.sensors))
+
+    def _look_for_lost(self) -> None:
+        feed = self._connected.feed
+        if feed is not None:
+            self._returning.look(feed)
 
     def _open(self, source: Callable[[], Source], connection: Callable[[Found], Connection]) -> None:
         if self._task is not None:

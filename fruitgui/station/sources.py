@@ -183,11 +183,13 @@ class Make:
         kind: the word in a source's value.
         find: returns what of it is there now; quick, and never raises where nothing is.
         read: returns the source of a value; raises `TypeError`, `KeyError` or `ValueError` where it is none.
+        asks_devices: finding may take a moment, or hang with a driver.
     """
 
     kind: str
     find: Callable[[], Sequence[Source]]
     read: Callable[[Mapping[str, Any]], Source]
+    asks_devices: bool = False
 
 
 PRESETS: Mapping[str, LineOptions] = {
@@ -228,7 +230,7 @@ def devices_of(drivers: Drivers) -> Make:
             raise ValueError("it names a device twice")
         return DevicesSource(devices, drivers)
 
-    return Make("devices", find, read)
+    return Make("devices", find, read, asks_devices=True)
 
 
 DEVICES = devices_of(known_drivers)

@@ -38,9 +38,10 @@ class Feed:
             ValueError: two sensors have one name.
         """
         self._sensors = tuple(sensors)
-        if len(self.infos) != len(sensors):
+        infos = [sensor.info for sensor in sensors]
+        if len({info.sensor for info in infos}) != len(sensors):
             raise ValueError("two sensors have one name")
-        self._schedule = turns(lights_of(self.infos.values()), None) if schedule is None else schedule
+        self._schedule = turns(lights_of(infos), None) if schedule is None else schedule
         self._keeper = TurnKeeper(self._schedule)
         self._rehearsal: Subscription | None = None
         ears = Ears(self._hear, self._miss, self._end)

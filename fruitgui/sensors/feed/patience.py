@@ -22,7 +22,7 @@ class Patience:
 
     def hear(self, now_s: float) -> None:
         """Note that a frame came."""
-        self._owed = (0.0, None if self._owed[1] is None else now_s)
+        self._owed = (0.0, now_s)
 
     def forget(self) -> None:
         """Expect none, and begin anew."""

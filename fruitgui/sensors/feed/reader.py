@@ -32,6 +32,10 @@ FIRST_WAIT_S, ABSENT_WAIT_S, MUTE_WAIT_S = 0.5, 2.0, 8.0
 can and gives nothing, which costs others their turns."""
 
 
+UNHEARD = ("sensor_hangs", "sensor_not_obeyed")
+"""Codes of errors of a device that does not do what it is told: if its projector was on, it may be on still."""
+
+
 @dataclass(frozen=True, slots=True)
 class Ears:
     """Who hears of a sensor: of each frame, of its falling silent, and of its end; called on its own thread."""
@@ -45,10 +49,13 @@ class Reader:
     """Reads one sensor on a thread of its own, from `start` to `stop`; nobody else calls the sensor.
 
     A driver may raise anything: it is said in the health, the sensor is closed, and opened again after a while.
+
+    Attributes:
+        info: who the sensor is; once it was opened, as the device says.
     """
 
     def __init__(self, sensor: Sensor, keeper: TurnKeeper, ears: Ears) -> None:
-        info = sensor.info
+        info = self.info = sensor.info
         self.name = info.sensor
         self._sensor = WatchedSensor(sensor)
         self._takes_turns = info.projector is Projector.SWITCHED
@@ -141,10 +148,12 @@ class Reader:
     def _session(self) -> tuple[bool, FruitguiError | None]:
         """Open and read until told to stop or the end; return whether it opened, and what went wrong, if anything."""
         opened = False
+        failure: FruitguiError | None = None
         try:
             self._opened += 1
             self._sensor.open()
             opened = True
+            self.info = self._sensor.info
             self._seat.prepare()
             self._sensor.start()
             self._seat.sit()
@@ -152,12 +161,12 @@ class Reader:
         except EndOfStreamError:
             self._state = Running.ENDED
         except FruitguiError as error:
-            return opened, error
+            failure = error
         except Exception as error:  # noqa: BLE001 - a driver's bug takes down its sensor, never the line
-            return opened, _driver_error(self.name, error)
-        finally:
-            self._close()
-        return opened, None
+            failure = _driver_error(self.name, error)
+        self._close()
+        (self._seat.be_lost if failure is not None and failure.code in UNHEARD else self._seat.rise)()
+        return opened, failure
 
     def _read(self) -> None:
         self._pulse.begin()
@@ -183,6 +192,7 @@ class Reader:
             return False
         now_s, lit = time.monotonic(), self._seat.light()
         self._patience.hear(now_s)
+        self._patience.rest(now_s)  # whoever makes this thread wait for room has the sensor owe nothing
         self._state, self._error = Running.RUNNING, None
         self._pulse.number(frame.sequence)
         if frame.damaged:
@@ -219,7 +229,6 @@ class Reader:
             with contextlib.suppress(Exception):
                 leave()
         self._patience.forget()
-        self._seat.rise()
 
 
 def _driver_error(sensor: str, error: Exception) -> WorldError:

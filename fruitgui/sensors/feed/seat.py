@@ -31,6 +31,9 @@ class Seat(Protocol):
     def rise(self) -> None:
         """Once the device was given back."""
 
+    def be_lost(self) -> None:
+        """Once the device was let go though it does not answer."""
+
 
 class FreeSeat:
     """Of a sensor that takes no turns."""
@@ -53,6 +56,9 @@ class FreeSeat:
         """Do nothing."""
 
     def rise(self) -> None:
+        """Do nothing."""
+
+    def be_lost(self) -> None:
         """Do nothing."""
 
 
@@ -97,3 +103,7 @@ class TurnSeat:
     def rise(self) -> None:
         """Leave: the device is dark."""
         self._keeper.dismiss(self._name)
+
+    def be_lost(self) -> None:
+        """Leave: the device may shine."""
+        self._keeper.lose(self._name)

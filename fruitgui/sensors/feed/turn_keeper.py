@@ -51,6 +51,7 @@ class TurnKeeper:
         self._ready: set[str] = set()
         self._lit: dict[str, _Turn] = {}
         self._done: set[str] = set()
+        self._doubted: set[str] = set()
         self._slot = 0
 
     @property
@@ -86,6 +87,13 @@ class TurnKeeper:
             self._lit.pop(sensor, None)
             self._changed.notify_all()
 
+    def lose(self, sensor: str) -> None:
+        """Let a sensor no longer take part that cannot be told to be dark: it may shine on until its next turn ends."""
+        with self._changed:
+            if sensor in self._lit:
+                self._doubted.add(sensor)
+        self.dismiss(sensor)
+
     def order(self, sensor: str, timeout_s: float) -> Order:
         """Return what a sensor that takes part is to do; `REST` where its turn does not come in time."""
         until_s = time.monotonic() + timeout_s
@@ -115,6 +123,7 @@ class TurnKeeper:
         """Note that a projector confirmed to be off: the turn is over."""
         with self._changed:
             turn = self._lit.pop(sensor, None)
+            self._doubted.discard(sensor)
             if turn is not None and turn.plan == self._plan:
                 self._done.add(sensor)
             self._changed.notify_all()
@@ -139,17 +148,18 @@ class TurnKeeper:
                 turn.kept += 1
 
     def blinding(self, sensor: str) -> tuple[str, ...]:
-        """Return those whose driver hangs while they may shine: a sensor that should not shine with them does.
+        """Return those that may shine while a sensor has its turn, though they should not: their drivers hang.
 
         A driver that hangs may have left its projector on for good, or have lost a device that is dark. For as long as
         an honest call may take the others wait; then a belt seen badly is better than one seen by nobody.
         """
-        if not self._schedule.alternates(sensor):
-            return ()
         with self._changed:
+            if not self._schedule.alternates(sensor):
+                return ()
             turn = self._lit.get(sensor)
-            slot = (sensor,) if turn is None else turn.slot
-            return tuple(one for one in self._lit if one not in slot and self._hangs[one]())
+            mates = (sensor,) if turn is None else turn.slot
+            hung = (other for other in self._lit if self._hangs[other]())
+            return tuple(other for other in sorted({*hung, *self._doubted}) if other not in mates)
 
     # all of the following with the lock held
 

@@ -26,6 +26,11 @@ class FromAbove:
         self.pose: Pose = self._belt
         self.footprints_m = self._footprints()
 
+    @property
+    def along(self) -> bool:
+        """Whether the way of the belt is known: x runs with it."""
+        return self._heading_rad is not None
+
     def head_along(self, velocity_m_s: F64 | None) -> None:
         """Turn x along the belt's motion."""
         if velocity_m_s is None or float(np.linalg.norm(velocity_m_s)) < 1e-3:

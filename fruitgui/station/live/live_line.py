@@ -21,6 +21,7 @@ from fruitgui.station.live.counting import Counting, Teacher
 from fruitgui.station.live.first_look import FirstLook, Leaving
 from fruitgui.station.live.following import Following
 from fruitgui.station.live.intake import LIVE, ClockWatch, Intake
+from fruitgui.station.live.sensor_watch import SensorWatch
 from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
 from fruitgui.station.live.warnings import Warnings
 from fruitgui.station.model import Model
@@ -94,6 +95,7 @@ class LiveLine:
         self._first_look = FirstLook(self._following)
         self._put_right: set[str] = set()
         self._leaps_s = dict(self._lineup.offsets_s)
+        self._sensors = SensorWatch(self._lineup.station_id, self._following.above, self._warnings.add)
         self._counting = Counting(self._lineup.rig, hands.worker(), self._bench, sink, teacher, self._warnings.add)
         self._perceived: queue.Queue[_Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
         self._parted: queue.Queue[Leaving | None] = queue.Queue(FRUIT_AHEAD)
@@ -160,6 +162,7 @@ class LiveLine:
             waiting_fruit=self._first_look.held + self._parted.qsize() + self._counting.sink_state.waiting,
             dropped=subscription.dropped if subscription else {},
             skipped=self._skipped,
+            blind=self._sensors.blind,
             sink=self._counting.sink_state,
             warnings=self.warnings,
         )
@@ -182,6 +185,7 @@ class LiveLine:
         assert subscription is not None  # noqa: S101 - made before this thread was started
         while not subscription.over:
             arrival = subscription.take(TAKE_S)
+            self._sensors.look(self._feed.health, time.monotonic())
             if arrival is not None and arrival.frame.sensor in self._lineup.eyes:
                 self._perceived.put(self._perceive(arrival))
         self._perceived.put(None)

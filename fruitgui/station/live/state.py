@@ -11,6 +11,7 @@ from fruitgui.frame import F32, F64, U8
 from fruitgui.measurement.fruit import Quantity
 from fruitgui.sensors.feed import SensorHealth
 from fruitgui.station.fruit import Fruit
+from fruitgui.station.live.blind import Blind
 from fruitgui.station.sink import CountedFruit, Crop
 from fruitgui.station.waiting import SinkState
 
@@ -30,7 +31,8 @@ class LiveWarning:
 
     Attributes:
         code: a stable word: `calibration_stale`, `clock_put_right`, `clock_jumped`, `sensor_not_matched`,
-            `frame_skipped`, `fruit_not_measured`, `fruit_not_counted`, `not_kept`.
+            `frame_skipped`, `fruit_not_measured`, `fruit_not_counted`, `not_kept`, `part_blind`, `sensor_away`,
+            `may_be_blinded`.
         text: in words.
         sensors: whom it concerns.
         count: how often it happened.
@@ -216,6 +218,7 @@ class LiveState:
         latency_s: from a frame's arrival until it was followed, median of the last ones.
         backlog: frames that wait. waiting_fruit: fruit that wait to be measured or kept.
         dropped: frames by sensor that the line had no time for. skipped: frames that could not be used.
+        blind: what of the belt nobody sees now; None while every sensor is there.
         sink: how the store fares.
         warnings: what a person should know.
     """
@@ -235,5 +238,6 @@ class LiveState:
     waiting_fruit: int = 0
     dropped: Mapping[str, int] = field(default_factory=dict)
     skipped: int = 0
+    blind: Blind | None = None
     sink: SinkState = SinkState()  # noqa: RUF009 - frozen
     warnings: tuple[LiveWarning, ...] = ()

@@ -414,6 +414,14 @@
         <translation>Enchúfelo de nuevo; parte solo cuando vuelve.</translation>
     </message>
     <message>
+        <source>does not answer</source>
+        <translation>no responde</translation>
+    </message>
+    <message>
+        <source>Its driver hangs. Unplug it, wait five seconds, and plug it in again.</source>
+        <translation>Su controlador no responde. Desenchúfelo, espere cinco segundos y enchúfelo de nuevo.</translation>
+    </message>
+    <message>
         <source>no pictures</source>
         <translation>sin imágenes</translation>
     </message>
@@ -436,6 +444,14 @@
     <message>
         <source>starting</source>
         <translation>partiendo</translation>
+    </message>
+    <message>
+        <source>The projector of {sensors} may be on out of its turn, as it does not answer.</source>
+        <translation>El proyector de {sensors} puede estar encendido fuera de su turno, porque no responde.</translation>
+    </message>
+    <message>
+        <source>may be blinded</source>
+        <translation>puede estar deslumbrado</translation>
     </message>
     <message>
         <source>loses pictures</source>

@@ -26,6 +26,14 @@
 <context>
     <name>Health</name>
     <message>
+        <source>does not answer</source>
+        <translation>no responde</translation>
+    </message>
+    <message>
+        <source>may be blinded</source>
+        <translation>puede estar deslumbrado</translation>
+    </message>
+    <message>
         <source>starting</source>
         <translation>arrancando</translation>
     </message>

@@ -36,6 +36,45 @@
     </message>
 </context>
 <context>
+    <name>Blind</name>
+    <message>
+        <source>{sensors} away: every part of the belt is still seen by another sensor</source>
+        <translation>Falta {sensors}: otro sensor sigue viendo cada parte de la cinta</translation>
+    </message>
+    <message>
+        <source>{sensors} away: {share} of the belt is seen by no sensor</source>
+        <translation>Falta {sensors}: ningún sensor ve el {share} de la cinta</translation>
+    </message>
+    <message>
+        <source>{sensors} away: no sensor sees {lanes}</source>
+        <translation>Falta {sensors}: ningún sensor ve {lanes}</translation>
+    </message>
+    <message>
+        <source>any of the belt</source>
+        <translation>nada de la cinta</translation>
+    </message>
+    <message>
+        <source>the left part of the belt ({lane} from its right edge)</source>
+        <translation>la parte izquierda de la cinta ({lane} desde su borde derecho)</translation>
+    </message>
+    <message>
+        <source>a middle part of the belt ({lane} from its right edge)</source>
+        <translation>una parte central de la cinta ({lane} desde su borde derecho)</translation>
+    </message>
+    <message>
+        <source>the right part of the belt ({lane} from its edge)</source>
+        <translation>la parte derecha de la cinta ({lane} desde su borde)</translation>
+    </message>
+    <message>
+        <source>Fruit there are not counted. Check cable and power; it starts again by itself.</source>
+        <translation>Las frutas que pasan allí no se cuentan. Revise cable y corriente; vuelve a arrancar solo.</translation>
+    </message>
+    <message>
+        <source>Sizes are less sure meanwhile. Check cable and power; it starts again by itself.</source>
+        <translation>Mientras tanto los tamaños son menos seguros. Revise cable y corriente; vuelve a arrancar solo.</translation>
+    </message>
+</context>
+<context>
     <name>Health</name>
     <message>
         <source>A sensor was moved since it was calibrated: {sensors}.</source>
@@ -96,6 +135,22 @@
     <message>
         <source>Look at it in the lot, and correct it there if need be.</source>
         <translation>Revísela en el lote y corríjala ahí si hace falta.</translation>
+    </message>
+    <message>
+        <source>No pictures came from {sensors} for a while.</source>
+        <translation>Durante un rato no llegaron imágenes de {sensors}.</translation>
+    </message>
+    <message>
+        <source>Fruit that only it sees were not counted. Check cable and power.</source>
+        <translation>Las frutas que solo él ve no se contaron. Revise cable y corriente.</translation>
+    </message>
+    <message>
+        <source>A driver hangs, and a projector may be on out of its turn: {sensors}.</source>
+        <translation>Un controlador no responde, y un proyector puede estar encendido fuera de su turno: {sensors}.</translation>
+    </message>
+    <message>
+        <source>Depth may have holes and sizes may be wrong. Unplug the sensor that gives no pictures.</source>
+        <translation>La profundidad puede tener huecos y los tamaños pueden ser erróneos. Desenchufe el sensor que no da imágenes.</translation>
     </message>
     <message>
         <source>A fruit was followed but could not be counted.</source>

@@ -67,6 +67,7 @@ class LitSensor:
         self._started = False
         self._owner: int | None = None
         self.gone = threading.Event()
+        self.deaf = threading.Event()
         self.mute = threading.Event()
         self.damaged = threading.Event()
         self.hang_in = ""
@@ -91,12 +92,14 @@ class LitSensor:
 
     def projector(self, on: bool) -> None:
         self._called("on" if on else "off")
+        if self.deaf.is_set():
+            raise WorldError("sensor_not_obeyed", f"Sensor {self._name} does not do what it is told.", "Unplug it.")
         self._wanted = on
         self._shine()
 
     def stop(self) -> None:
         self._called("stop", dies=False)
-        self._started = False
+        self._started = self._started and self.deaf.is_set()
         self._shine()
 
     def close(self) -> None:
@@ -111,8 +114,10 @@ class LitSensor:
             raise SensorTimeoutError(self._name, timeout_s)
         self.gone.wait(1 / self._rate_hz)
         self._check()
-        frame = Frame(self._name, next(self._numbers), time.monotonic(), COLOR, self._depth(since_s), CAMERA)
-        return Frame(*(getattr(frame, one) for one in Frame.__slots__[:-1]), damaged=self.damaged.is_set())
+        return Frame(
+            self._name, next(self._numbers), time.monotonic(), COLOR, self._depth(since_s), CAMERA,
+            damaged=self.damaged.is_set(),
+        )  # fmt: skip
 
     def _depth(self, since_s: float) -> U16:
         """Holes fade away while the light settles; a tenth more where another one shines."""

@@ -205,6 +205,23 @@ def test_a_driver_that_hangs_in_the_dark_blinds_nobody() -> None:
         assert room.most_lit == 1
 
 
+def test_one_that_no_longer_obeys_in_its_turn_is_named_until_a_turn_of_its_own_ends() -> None:
+    """It answers that it cannot be switched off: the others go on, and are told who may blind them."""
+    room = LitRoom()
+    left, right = LitSensor("left", room), LitSensor("right", room)
+    with running(left, right) as feed:
+        frames(feed.subscribe(100), 8)
+        right.deaf.set()
+        until(lambda: feed.health("right").state is Running.FAILED, LONG_S)
+        until(lambda: feed.health("left").blinded_by == ("right",), LONG_S)
+        before = feed.health("left").frames
+        until(lambda: feed.health("left").frames > before + 10, LONG_S)
+        right.deaf.clear()
+        feed.try_again("right")
+        until(lambda: feed.health("left").blinded_by == (), LONG_S)
+        until(lambda: feed.health("right").state is Running.RUNNING, LONG_S)
+
+
 def test_damaged_frames_are_counted_reach_nobody_and_hold_no_turn() -> None:
     room = LitRoom()
     left, right = LitSensor("left", room), LitSensor("right", room)

@@ -59,6 +59,26 @@ class Small(ScriptedSensor):
         return replace(super().info, intrinsics=SMALL, rate_hz=5.0)
 
 
+class Steady(Small):
+    """Shows a bare belt, ten times a second, unless its plug is pulled."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self._frame = replace(Table((), tilt_rad=0.0, intrinsics=SMALL).frame(), sensor=name)
+        self._count = 0
+        self.unplugged = threading.Event()
+
+    def open(self) -> None:
+        if self.unplugged.is_set():
+            raise gone(self.info.sensor)
+
+    def read(self, timeout_s: float) -> Frame:  # noqa: ARG002 - it never is late
+        self.unplugged.wait(0.1)
+        self.open()
+        self._count += 1
+        return replace(self._frame, sequence=self._count, time_s=0.1 * self._count)
+
+
 def station(*names: str, correction: DepthCorrection | None = None) -> Station:
     sensors = {name: StationSensor(f"S-{name}", Pose.exact(), SURFACE, depth_correction=correction) for name in names}
     return Station(names[0], sensors, np.array([-SPEED_M_S, 0.0, 0.0]))
@@ -115,7 +135,8 @@ def test_what_passes_is_counted_once_it_is_kept_and_drawn_while_in_view() -> Non
         assert line.state.frames == len(frames)
         assert [one.fruit.fruit for one, _ in sink.kept] == [1, 2, 3]
         assert [counted.number for counted, _ in line.state.last] == [3, 2, 1]
-        assert line.state.warnings == ()
+        # Until the test ended it the sensor had nothing to give.
+        assert {one.code for one in line.state.warnings} <= {"part_blind"}
 
 
 def test_stopping_counts_what_is_in_view() -> None:
@@ -188,6 +209,32 @@ def test_a_sensor_that_dies_does_not_hold_the_others() -> None:
     with running(line, feed):
         until(lambda: line.state.frames + sum(line.state.dropped.values()) >= len(passing("left")), 60.0)
     assert sink.kept or sum(line.state.dropped.values()) > 10
+
+
+def test_what_only_a_dead_sensor_sees_is_said_to_be_blind_until_it_is_back() -> None:
+    """The right one looks at the belt 0.5 m farther to the side; the belt runs along x of both."""
+    left, right = Steady("left"), Steady("right")
+    names = ("left", "right")
+    poses = (Pose.exact(), Pose(np.eye(3), np.array([0.0, 0.5, 0.0]), np.zeros((6, 6))))
+    beside = {name: StationSensor(f"S-{name}", pose, SURFACE) for name, pose in zip(names, poses, strict=True)}
+    feed, sink = Feed([left, right]), MemorySink()
+    belt = Station("left", beside, np.array([SPEED_M_S, 0.0, 0.0]))
+    line = LiveLine(feed, belt, None, BufferedSink(sink), 1, LIVE)
+    with running(line, feed):
+        until(lambda: all(feed.health(name).frames > 3 for name in names), 60.0)
+        until(lambda: line.state.blind is None, 60.0)
+        right.unplugged.set()
+        until(lambda: line.state.blind is not None, 60.0)
+        blind = line.state.blind
+        assert blind is not None
+        assert blind.sensors == ("right",)
+        assert blind.sides == ("right",)  # y of the sensor's frame points to the right of the belt's way
+        assert blind.lanes_m is not None
+        (lane,) = blind.lanes_m
+        assert lane[1] - lane[0] == pytest.approx(0.5, abs=0.02)
+        assert ("part_blind", ("right",)) in [(one.code, one.sensors) for one in line.state.warnings]
+        right.unplugged.clear()
+        until(lambda: line.state.blind is None, 60.0)
 
 
 def test_a_clock_set_anew_is_said_and_followed_on() -> None:

@@ -31,7 +31,7 @@ SIDE_WIDTH = 336
 CHECK_S = 4.0
 """How long sensors are watched while they are checked."""
 
-LOOK_MS = 2000
+LOOK_MS = 500
 """How often devices that were plugged in meanwhile are looked for, while the list is in view."""
 
 
@@ -173,7 +173,8 @@ class ConnectPage(StepPage):
         choosing = self._choosing or self._session.connection is None
         if choosing:
             if not self.chooser.rows:
-                self.chooser.show_found(self._session.source.sources.found())
+                self._session.source.found.ask()
+                self.chooser.show_found(self._session.source.found.found)
             self.chooser.show_made(self.recording.made())
             if self.depth_wizard.course is not None:
                 self.depth_wizard.end()
@@ -243,9 +244,9 @@ class ConnectPage(StepPage):
     # what is done
 
     def _look_for_devices(self) -> None:
-        found = self._session.source.sources.found()
-        self.chooser.update_found(found)
+        self.chooser.update_found(self._session.source.found.found)
         self.chooser.show_made(self.recording.made())
+        self._session.source.found.ask()
 
     def _ask_for_file(self) -> None:
         path, _ = QFileDialog.getOpenFileName(
@@ -265,7 +266,8 @@ class ConnectPage(StepPage):
 
     def _change_source(self) -> None:
         self._choosing = True
-        self.chooser.show_found(self._session.source.sources.found())
+        self._session.source.found.ask()
+        self.chooser.show_found(self._session.source.found.found)
         self._show()
 
     def _go_back(self) -> None:

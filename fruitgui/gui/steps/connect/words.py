@@ -44,6 +44,12 @@ def condition(health: SensorHealth | None) -> Condition:
             translate("Connect", "not there"),
             translate("Connect", "Plug it in again; it starts by itself when it returns."),
         )
+    if health.hangs:
+        return Condition(
+            "bad",
+            translate("Connect", "does not answer"),
+            translate("Connect", "Its driver hangs. Unplug it, wait five seconds, and plug it in again."),
+        )
     if health.state is Running.RUNNING:
         return _running(health)
     if health.state is Running.SILENT:
@@ -64,7 +70,13 @@ def condition(health: SensorHealth | None) -> Condition:
 
 
 def _running(health: SensorHealth) -> Condition:
-    if health.frames > LOST_SHARE**-1 and health.drops > LOST_SHARE * (health.frames + health.drops):
+    if health.blinded_by:
+        text = translate("Connect", "The projector of {sensors} may be on out of its turn, as it does not answer.")
+        return Condition(
+            "warn", translate("Connect", "may be blinded"), text.format(sensors=", ".join(health.blinded_by))
+        )
+    lost = health.drops + health.damaged
+    if health.frames > LOST_SHARE**-1 and lost > LOST_SHARE * (health.frames + lost):
         return Condition(
             "warn",
             translate("Connect", "loses pictures"),
@@ -104,10 +116,11 @@ def lost_text(health: SensorHealth | None) -> str:
     """Return how many pictures were lost."""
     if health is None:
         return "–"
-    if not health.drops:
+    lost = health.drops + health.damaged
+    if not lost:
         return translate("Connect", "none of {frames}").format(frames=count_text(health.frames))
     return translate("Connect", "{drops} of {frames}").format(
-        drops=count_text(health.drops), frames=count_text(health.frames + health.drops)
+        drops=count_text(lost), frames=count_text(health.frames + lost)
     )
 
 

@@ -13,7 +13,7 @@ from fruitgui.gui.drawn import BeltMap, MappedFruit
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import Theme
-from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.widgets.kind_mark import mark_pixmap, point_pixmap
 from fruitgui.gui.widgets.strokes import ellipse, on_screen, paint_lines, path_of
 
@@ -51,6 +51,7 @@ class BeltView(QWidget):
                 painter.drawPixmap(0, 0, self._ground_of(belt, to_screen))
                 self._paint_fruit(painter, belt.fruit, to_screen)
                 self._paint_speed(painter, belt)
+                self._paint_words(painter, belt)
             else:
                 painter.setFont(self._theme.font("small"))
                 painter.setPen(self._theme.colour("text_dim"))
@@ -117,3 +118,19 @@ class BeltView(QWidget):
         text = f"→  {number_text(belt.speed_m_s, 2)}{THIN}m/s"
         painter.drawText(QRectF(self.rect()).adjusted(GRID, GRID / 2, -GRID, -GRID / 2),
                          Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, text)  # fmt: skip
+
+    def _paint_words(self, painter: QPainter, belt: BeltMap) -> None:
+        """Say over the belt what nobody sees of it."""
+        if not belt.words:
+            return
+        theme = self._theme
+        painter.setFont(theme.font("small", QFont.Weight.DemiBold))
+        wrapped = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
+        room = QRectF(self.rect()).adjusted(3 * GRID, GRID, -3 * GRID, -GRID)
+        text = painter.boundingRect(room, wrapped, belt.words)
+        text.moveBottom(self.height() - GRID)
+        painter.setPen(QPen(theme.colour("bad" if belt.lost else "warn"), 1.5))
+        painter.setBrush(theme.colour("surface"))
+        painter.drawRoundedRect(text.adjusted(-GRID, -GRID / 2, GRID, GRID / 2), RADIUS, RADIUS)
+        painter.setPen(theme.colour("text"))
+        painter.drawText(text, wrapped, belt.words)

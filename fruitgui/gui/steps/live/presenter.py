@@ -10,6 +10,7 @@ from PySide6.QtCore import QCoreApplication
 
 from fruitgui.classification.evidence import UNKNOWN
 from fruitgui.frame import F64
+from fruitgui.gui.blind_words import blind_text
 from fruitgui.gui.drawn import (
     BeltMap,
     DrawnFruit,
@@ -76,6 +77,10 @@ def health_words(health: SensorHealth | None) -> tuple[str, str]:
     """Return how a sensor is, as `good`, `warn` or `bad`, and in words."""
     if health is None:
         return "warn", ""
+    if health.hangs:
+        return "bad", QCoreApplication.translate("Health", "does not answer")
+    if health.blinded_by:
+        return "warn", QCoreApplication.translate("Health", "may be blinded")
     if health.state is Running.RUNNING:
         return "good", f"{number_text(health.rate_hz, 1)}/s"
     words = {
@@ -90,10 +95,12 @@ def health_words(health: SensorHealth | None) -> tuple[str, str]:
 
 def belt_map(state: LiveState, marks: Marks) -> BeltMap:
     """Return the belt from above."""
-    blind = {one.sensor for one in state.health if one.state in (Running.SILENT, Running.FAILED, Running.STOPPED)}
+    blind = state.blind
+    away = frozenset() if blind is None else frozenset(blind.sensors)
     speed = None if state.belt_velocity_m_s is None else float(np.linalg.norm(state.belt_velocity_m_s))
     fruit = tuple(_mapped_fruit(one, marks) for one in state.tracks)
-    return BeltMap(dict(state.footprints_m), frozenset(blind), fruit, speed)
+    words, lost = ("", False) if blind is None else (blind_text(blind), blind.loses_fruit)
+    return BeltMap(dict(state.footprints_m), away, fruit, speed, words, lost)
 
 
 def _mapped_fruit(one: TrackNow, marks: Marks) -> MappedFruit:

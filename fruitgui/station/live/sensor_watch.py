@@ -1,0 +1,73 @@
+"""Watches whether the line's sensors give something, and says what nobody sees while they do not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from fruitgui.sensors.feed import SensorHealth
+from fruitgui.station.live.above import FromAbove
+from fruitgui.station.live.blind import Blind, blind_part, blind_words, is_away
+
+LOOK_S = 0.2
+
+
+class SensorWatch:
+    """Looks at the sensors' health now and then, on the thread that calls.
+
+    Args:
+        station_id: by the sensors' ids in the feed.
+        above: the belt from above, as it is known by now.
+        warn: told of what a person should know: code, text, sensors.
+
+    Attributes:
+        blind: what is not seen now; None while every sensor is there.
+    """
+
+    def __init__(
+        self,
+        station_id: Mapping[str, str],
+        above: FromAbove,
+        warn: Callable[[str, str, tuple[str, ...]], None],
+    ) -> None:
+        self._station_id = station_id
+        self._above = above
+        self._warn = warn
+        self._looked_s = 0.0
+        self._away: tuple[str, ...] = ()
+        self._blinded: dict[str, tuple[str, ...]] = {}
+        self.blind: Blind | None = None
+
+    def look(self, health: Callable[[str], SensorHealth], now_s: float) -> None:
+        """Look at the health of each sensor, if the last look was a while ago."""
+        if now_s - self._looked_s < LOOK_S:
+            return
+        self._looked_s = now_s
+        seen = {name: health(sensor) for sensor, name in self._station_id.items()}
+        self._see_away(tuple(name for name, one in seen.items() if is_away(one)))
+        for name, one in seen.items():
+            self._see_blinded(name, one)
+
+    def _see_away(self, away: tuple[str, ...]) -> None:
+        before, self._away = self._away, away
+        self.blind = self._blind(away)
+        if self.blind is not None and not set(away) <= set(before):
+            code = "part_blind" if self.blind.loses_fruit else "sensor_away"
+            self._warn(code, blind_words(self.blind), away)
+
+    def _blind(self, away: tuple[str, ...]) -> Blind | None:
+        """Return what is not seen, worked out anew only where sensors or the way of the belt changed."""
+        if not away:
+            return None
+        now, along = self.blind, self._above.along
+        if now is not None and now.sensors == away and (now.lanes_m is not None) == along:
+            return now
+        return blind_part(self._above.footprints_m, away, along=along)
+
+    def _see_blinded(self, name: str, health: SensorHealth) -> None:
+        by = tuple(self._station_id.get(sensor, sensor) for sensor in health.blinded_by)
+        if by and by != self._blinded.get(name):
+            others = ", ".join(by)
+            text = f"The driver of sensor {others} hangs, and its projector may still be on: depth of sensor {name} "
+            text += "may have holes, and sizes may be wrong. Unplug it; it is opened again when it returns."
+            self._warn("may_be_blinded", text, (name, *by))
+        self._blinded[name] = by
