@@ -7,12 +7,13 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from fruitgui.frame import Frame
-from fruitgui.sensors.sensor import Sensor, SensorInfo
+from fruitgui.sensors.sensor import Projector, Sensor, SensorInfo
 
 T = TypeVar("T")
 
-OPENING_S, CALL_S = 20.0, 2.0
-"""Longer than this no call takes that comes back: opening and starting may upload firmware, anything else may not."""
+OPENING_S, CALL_S, LATE_CALL_S = 20.0, 2.0, 10.0
+"""Longer than this no call takes that comes back: opening and starting may upload firmware, anything else may not. For
+one whose light disturbs nobody, as of a recording on a slow disk, nobody waits: it is given longer."""
 
 
 class WatchedSensor:
@@ -20,6 +21,7 @@ class WatchedSensor:
 
     def __init__(self, sensor: Sensor) -> None:
         self._sensor = sensor
+        self._call_s = CALL_S if sensor.info.projector is Projector.SWITCHED else LATE_CALL_S
         self._until_s: float | None = None
 
     @property
@@ -43,19 +45,19 @@ class WatchedSensor:
 
     def read(self, timeout_s: float) -> Frame:
         """Return the next frame. Raises as the sensor does."""
-        return self._watch(CALL_S + timeout_s, lambda: self._sensor.read(timeout_s))
+        return self._watch(self._call_s + timeout_s, lambda: self._sensor.read(timeout_s))
 
     def projector(self, on: bool) -> None:
         """Switch the projector."""
-        self._watch(CALL_S, lambda: self._sensor.projector(on))
+        self._watch(self._call_s, lambda: self._sensor.projector(on))
 
     def stop(self) -> None:
         """End capturing."""
-        self._watch(CALL_S, self._sensor.stop)
+        self._watch(self._call_s, self._sensor.stop)
 
     def close(self) -> None:
         """Give the device back."""
-        self._watch(CALL_S, self._sensor.close)
+        self._watch(self._call_s, self._sensor.close)
 
     def _watch(self, most_s: float, call: Callable[[], T]) -> T:
         self._until_s = time.monotonic() + most_s

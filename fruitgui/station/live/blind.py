@@ -9,7 +9,6 @@ import cv2
 import numpy as np
 
 from fruitgui.frame import F64, U8, Bools
-from fruitgui.sensors.feed import Running, SensorHealth
 
 CELL_M = 0.005
 LEAST_WAY_M = 0.10
@@ -47,14 +46,6 @@ class Blind:
     def sides(self) -> tuple[str, ...]:
         """Where each lane lies: `whole`, `left`, `middle` or `right`."""
         return tuple(_side(lane_m, self.width_m or 1.0) for lane_m in self.lanes_m or ())
-
-
-AWAY = (Running.SILENT, Running.FAILED, Running.STOPPED)
-
-
-def is_away(health: SensorHealth) -> bool:
-    """Tell whether a sensor gives nothing though it should."""
-    return health.state in AWAY or health.hangs
 
 
 def blind_part(footprints_m: Mapping[str, F64], away: Collection[str], *, along: bool) -> Blind:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from fruitgui.sensors.feed import DropOldest, Room, WaitForRoom
+from fruitgui.sensors.feed import DropOldest, Room, Running, WaitForRoom
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,18 +16,23 @@ class Intake:
         room: what happens to frames that the line has no time for.
         patience_s: how long a frame waits for an earlier one of another sensor.
         jump_s: stamps that leap by more than this, back or ahead of the host's clock, are those of a clock set anew.
+        away: states in which a sensor gives nothing though it should.
     """
 
     room: Room
     patience_s: float
     jump_s: float
+    away: tuple[Running, ...] = (Running.SILENT, Running.FAILED, Running.STOPPED)
 
 
 LIVE = Intake(DropOldest(20), patience_s=0.5, jump_s=2.0)
 """Sensors at their own rate, four seconds of 5 Hz held back at most; what is dropped is counted."""
 
-FLAT_OUT = Intake(WaitForRoom(8), patience_s=30.0, jump_s=math.inf)
-"""Recordings as fast as the line can: nothing is dropped, and the order never depends on who was quicker."""
+FLAT_OUT = Intake(WaitForRoom(8), patience_s=30.0, jump_s=math.inf, away=(Running.FAILED, Running.STOPPED))
+"""Recordings as fast as the line can: nothing is dropped, and the order never depends on who was quicker.
+
+A sensor of a recording is silent whenever the line is not done yet with the others: that tells nothing.
+"""
 
 
 class ClockWatch:

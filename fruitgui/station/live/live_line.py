@@ -95,7 +95,7 @@ class LiveLine:
         self._first_look = FirstLook(self._following)
         self._put_right: set[str] = set()
         self._leaps_s = dict(self._lineup.offsets_s)
-        self._sensors = SensorWatch(self._lineup.station_id, self._following.above, self._warnings.add)
+        self._sensors = SensorWatch(self._lineup.station_id, self._following.above, intake.away, self._warnings.add)
         self._counting = Counting(self._lineup.rig, hands.worker(), self._bench, sink, teacher, self._warnings.add)
         self._perceived: queue.Queue[_Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
         self._parted: queue.Queue[Leaving | None] = queue.Queue(FRUIT_AHEAD)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 
-from fruitgui.sensors.feed import SensorHealth
+from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.live.above import FromAbove
-from fruitgui.station.live.blind import Blind, blind_part, blind_words, is_away
+from fruitgui.station.live.blind import Blind, blind_part, blind_words
 
 LOOK_S = 0.2
 
@@ -17,6 +17,7 @@ class SensorWatch:
     Args:
         station_id: by the sensors' ids in the feed.
         above: the belt from above, as it is known by now.
+        away: states in which a sensor gives nothing though it should.
         warn: told of what a person should know: code, text, sensors.
 
     Attributes:
@@ -27,10 +28,12 @@ class SensorWatch:
         self,
         station_id: Mapping[str, str],
         above: FromAbove,
+        away: Collection[Running],
         warn: Callable[[str, str, tuple[str, ...]], None],
     ) -> None:
         self._station_id = station_id
         self._above = above
+        self._counts_as_away = away
         self._warn = warn
         self._looked_s = 0.0
         self._away: tuple[str, ...] = ()
@@ -43,9 +46,13 @@ class SensorWatch:
             return
         self._looked_s = now_s
         seen = {name: health(sensor) for sensor, name in self._station_id.items()}
-        self._see_away(tuple(name for name, one in seen.items() if is_away(one)))
+        self._see_away(tuple(name for name, one in seen.items() if self._is_away(one)))
         for name, one in seen.items():
             self._see_blinded(name, one)
+
+    def _is_away(self, health: SensorHealth) -> bool:
+        silence_tells = Running.SILENT in self._counts_as_away
+        return health.state in self._counts_as_away or (health.hangs and silence_tells)
 
     def _see_away(self, away: tuple[str, ...]) -> None:
         before, self._away = self._away, away
