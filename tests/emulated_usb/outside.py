@@ -12,6 +12,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from tests.emulated_usb.emulation import Emulation
 
 SOURCE = Path(__file__).with_name("emulated_usb.c")
@@ -19,6 +21,9 @@ ROOT = Path(__file__).parents[2]
 LONGEST_S = 1500.0
 
 Inside = Callable[[Emulation, Path], None]
+
+alone = pytest.mark.xdist_group("emulated USB")
+"""Devices keep their own time: tests with them run one after the other, and leave a core to each."""
 
 
 def built() -> Path:
@@ -54,7 +59,7 @@ def inside(test: Inside) -> Callable[[Path], None]:
 
     outside.__name__, outside.__doc__, outside.__module__ = test.__name__, test.__doc__, test.__module__
     outside.inside = test  # type: ignore[attr-defined]  # found there by the other process
-    return outside
+    return alone(outside)
 
 
 class Command:

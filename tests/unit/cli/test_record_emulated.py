@@ -12,7 +12,9 @@ from typing import Any
 
 from fruitgui.sensors.recordings import open_recording
 from tests.emulated_usb.emulation import MODEL_1473
-from tests.emulated_usb.outside import Command, run_command
+from tests.emulated_usb.outside import Command, alone, run_command
+
+pytestmark = alone
 
 PATIENCE_S = 240.0
 

@@ -13,8 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from tests.emulated_usb.emulation import MODEL_1473, Emulation, Hang, Kinect
-from tests.emulated_usb.outside import inside, run_command
+from tests.emulated_usb.outside import alone, inside, run_command
 from tests.emulated_usb.player import Player
+
+pytestmark = alone
 
 WATCHED_S = (1, 5, 20)
 """On a computer that has no time for its sensors a short look sees none of them run: then they are watched longer."""

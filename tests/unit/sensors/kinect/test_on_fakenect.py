@@ -17,6 +17,9 @@ from fruitgui.sensors.kinect.clock import FRAME_TICKS
 from fruitgui.sensors.kinect.depth_table import ZeroPlane, depth_table
 from tests.emulated_usb import pictures
 from tests.emulated_usb.dumps import write_dump
+from tests.emulated_usb.outside import alone
+
+pytestmark = alone
 
 ROOT = Path(__file__).parents[4]
 COUNT = 20
