@@ -36,14 +36,9 @@ def sensors(*arguments: str) -> dict[str, Any]:
     return value
 
 
-def streaming(usb: Emulation) -> Player:
-    """Return what lets Kinects stream; where this computer is busy, they wait for it."""
-    return Player(usb, speed=1.05)
-
-
 def found(usb: Emulation, holds: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
     """Return what the command prints of Kinects that stream, once it holds; or what it printed last."""
-    with streaming(usb):
+    with Player(usb):
         for seconds in WATCHED_S:
             value = sensors("--seconds", str(seconds))
             if holds(value):
