@@ -10,6 +10,7 @@ import numpy as np
 from fruitgui.frame import Intrinsics
 from fruitgui.sensors.drivers import PluggedDevice
 from fruitgui.sensors.sdk import RATE_HZ, Opened, Sdk, SdkDriver, Shot, gone
+from fruitgui.sensors.sensor import Projector
 
 WIDTH, HEIGHT = 640, 480
 
@@ -87,4 +88,6 @@ def listed_devices(dai: Sdk) -> Sequence[PluggedDevice]:
     return [PluggedDevice("oak", "OAK", one.getDeviceId()) for one in dai.Device.getAllConnectedDevices()]
 
 
-OAK = SdkDriver("oak", "Luxonis", "depthai", 'pip install "fruitgui[oak]"', listed_devices, OakCamera)
+OAK = SdkDriver(
+    "oak", "Luxonis", "depthai", 'pip install "fruitgui[oak]"', listed_devices, OakCamera, Projector.HARMLESS
+)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 
 import numpy as np
@@ -11,6 +12,9 @@ from fruitgui.geometry.pose import Pose
 from fruitgui.sensors.drivers import PluggedDevice
 from fruitgui.sensors.registration import Registration
 from fruitgui.sensors.sdk import RATE_HZ, Opened, Sdk, SdkDriver, Shot, gone
+from fruitgui.sensors.sensor import Projector
+
+log = logging.getLogger(__name__)
 
 
 class OrbbecCamera:
@@ -83,7 +87,8 @@ def _profile(profiles: Sdk, form: Sdk, width: int, height: int) -> Sdk:
     """Return the stream of a size, or the one that the device likes best; height 0 is any."""
     try:
         return profiles.get_video_stream_profile(width, height, form, int(RATE_HZ))
-    except Exception:  # noqa: BLE001 - the SDK raises an error of its own where the model has no such stream
+    except Exception as error:  # noqa: BLE001 - the SDK's own error, an `Exception`: the model has no such stream
+        log.info("no stream %s by %s of %s: %s; its own choice instead", width, height, form, error)
         return profiles.get_default_video_stream_profile()
 
 
@@ -94,5 +99,11 @@ def _camera(profile: Sdk) -> Intrinsics:
 
 
 ORBBEC = SdkDriver(
-    "orbbec", "Orbbec", "pyorbbecsdk", "pip install --no-deps pyorbbecsdk2", listed_devices, OrbbecCamera
+    "orbbec",
+    "Orbbec",
+    "pyorbbecsdk",
+    "pip install --no-deps pyorbbecsdk2",
+    listed_devices,
+    OrbbecCamera,
+    Projector.FIXED,  # the SDK does not tell stereo models (harmless) from those of structured light (not)
 )

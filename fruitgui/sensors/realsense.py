@@ -15,6 +15,7 @@ from fruitgui.geometry.pose import Pose
 from fruitgui.sensors.drivers import PluggedDevice
 from fruitgui.sensors.registration import Registration
 from fruitgui.sensors.sdk import RATE_HZ, Opened, Sdk, SdkDriver, Shot, gone
+from fruitgui.sensors.sensor import Projector
 
 _USB_2 = "On a USB 2 port it gives fewer and smaller pictures: plug it into a USB 3 port with a USB 3 cable."
 
@@ -116,5 +117,11 @@ def _pose(told: Sdk) -> Pose:
 
 
 REALSENSE = SdkDriver(
-    "realsense", "Intel", "pyrealsense2", 'pip install "fruitgui[realsense]"', listed_devices, RealSenseCamera
+    "realsense",
+    "Intel",
+    "pyrealsense2",
+    'pip install "fruitgui[realsense]"',
+    listed_devices,
+    RealSenseCamera,
+    Projector.HARMLESS,  # stereo: more dots on the belt are as good
 )

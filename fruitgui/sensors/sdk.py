@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import logging
 import re
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 from typing import Any, Protocol
@@ -21,8 +22,10 @@ from fruitgui.frame import U8, U16, Frame, Intrinsics
 from fruitgui.sensors.drivers import PluggedDevice
 from fruitgui.sensors.host_clock import HostClock
 from fruitgui.sensors.registration import Registration
-from fruitgui.sensors.sensor import SensorInfo, SensorTimeoutError
+from fruitgui.sensors.sensor import Projector, SensorInfo, SensorTimeoutError
 from fruitgui.sensors.usb.plugged import is_plugged
+
+log = logging.getLogger(__name__)
 
 Sdk = Any
 """An SDK's module, or what it makes: none of them tells its types."""
@@ -82,11 +85,12 @@ class Camera(Protocol):
 class SdkSensor:
     """One device; follows the `Sensor` protocol. Constructing touches no device and loads no SDK.
 
-    Frames have the host's monotonic clock. The projectors of these makes do not blind each other.
+    Frames have the host's monotonic clock.
 
     Args:
         make: the driver's word. maker: for people. serial: of the device.
         camera: makes it, not yet started; loads the SDK.
+        projector: what its light does to others; none of these is switched.
         clock: brings the device's times to another clock, given when a capture came; the host's unless given.
     """
 
@@ -96,11 +100,13 @@ class SdkSensor:
         maker: str,
         serial: str,
         camera: Callable[[], Camera],
+        projector: Projector,
         clock: Callable[[], Callable[[float, float], float]] = lambda: HostClock().time_s,
     ) -> None:
         self._name = f"{make}_" + re.sub(r"\W", "_", serial, flags=re.ASCII)
         self._maker, self._serial = maker, serial
         self._make_camera, self._make_clock = camera, clock
+        self._projector = projector
         self._opened = Opened(maker, USUAL)
         self._camera: Camera | None = None
         self._runs = False
@@ -110,7 +116,10 @@ class SdkSensor:
     @property
     def info(self) -> SensorInfo:
         """Who this is; its cameras are a usual one's until it has run."""
-        return SensorInfo(self._name, self._maker, self._opened.model, self._serial, self._opened.color, RATE_HZ)
+        opened = self._opened
+        return SensorInfo(
+            self._name, self._maker, opened.model, self._serial, opened.color, RATE_HZ, projector=self._projector
+        )
 
     def open(self) -> None:
         """Load the SDK. Raises `WorldError` where it is not installed, or the device is not there."""
@@ -120,13 +129,10 @@ class SdkSensor:
     def start(self) -> None:
         """Take the device and begin to capture. Raises `WorldError` where it cannot be had."""
         camera = self._taken()
-        try:
+        with contextlib.ExitStack() as undo, self._in_words():
+            undo.callback(camera.stop)
             self._opened = camera.start()
-        except FruitguiError:
-            raise
-        except Exception as error:
-            camera.stop()
-            raise self._failed(error) from error
+            undo.pop_all()
         self._runs, self._time_s = True, self._make_clock()
         self._last_number, self._sequence = -1, -1
 
@@ -140,7 +146,8 @@ class SdkSensor:
         camera = self._taken()
         until_s = time.monotonic() + timeout_s
         while self._runs:
-            shot = self._next(camera, max(until_s - time.monotonic(), 1e-3))
+            with self._in_words():
+                shot = camera.next(max(until_s - time.monotonic(), 1e-3))
             if shot is not None and shot.number > self._last_number:
                 return self._frame(shot)
             if time.monotonic() >= until_s:
@@ -148,16 +155,12 @@ class SdkSensor:
         raise WorldError("sensor_not_started", f"Sensor {self._name} is not running.", "Start it first.")
 
     def projector(self, on: bool) -> None:
-        """Do nothing: it blinds nobody."""
+        """Do nothing: none is switched."""
 
     def lock_color(self, on: bool) -> bool:
         """Hold exposure and white balance, or let them follow the light; tell whether it could be done."""
-        try:
+        with self._in_words():
             return self._taken().lock_color(on)
-        except FruitguiError:
-            raise
-        except Exception as error:
-            raise self._failed(error) from error
 
     def stop(self) -> None:
         """End capturing."""
@@ -169,14 +172,6 @@ class SdkSensor:
         """Give the device back."""
         self.stop()
         self._camera = None
-
-    def _next(self, camera: Camera, timeout_s: float) -> Shot | None:
-        try:
-            return camera.next(timeout_s)
-        except FruitguiError:
-            raise
-        except Exception as error:
-            raise self._failed(error) from error
 
     def _frame(self, shot: Shot) -> Frame:
         """Return a frame of its own memory; numbers that the device left out are missing in its sequence too."""
@@ -192,13 +187,20 @@ class SdkSensor:
             raise WorldError("sensor_not_open", f"The sensor {self._name} is not open.", "Open it first.")
         return self._camera
 
-    def _failed(self, error: Exception) -> WorldError:
-        return WorldError(
-            "sensor_failed",
-            f"Sensor {self._name} failed: {str(error)[:120]}.",
-            "Check its USB 3 cable and that no other program uses it; it is opened again by itself.",
-            values={"sensor": self._name},
-        )
+    @contextlib.contextmanager
+    def _in_words(self) -> Iterator[None]:
+        """Put what the SDK raises into words; each has errors of its own, which all are `Exception`s."""
+        try:
+            yield
+        except FruitguiError:
+            raise
+        except Exception as error:
+            raise WorldError(
+                "sensor_failed",
+                f"Sensor {self._name} failed: {str(error)[:120]}.",
+                "Check its USB 3 cable and that no other program uses it; it is opened again by itself.",
+                values={"sensor": self._name},
+            ) from error
 
 
 def gone(maker: str, serial: str) -> WorldError:
@@ -218,6 +220,7 @@ class SdkDriver:
         make: the driver's word. maker: for people. module: the SDK's. install: the command that installs it.
         listed: returns the devices that the loaded SDK lists.
         camera: returns the camera of a serial in the loaded SDK.
+        projector: what the light of such a sensor does to others.
         plugged: tells whether the USB shows such a device.
     """
 
@@ -229,10 +232,12 @@ class SdkDriver:
         install: str,
         listed: Callable[[Sdk], Sequence[PluggedDevice]],
         camera: Callable[[Sdk, str], Camera],
+        projector: Projector,
         plugged: Callable[[str], bool] = is_plugged,
     ) -> None:
         self._make, self._maker, self._module, self._install = make, maker, module, install
         self._listed, self._camera, self._plugged = listed, camera, plugged
+        self._projector = projector
 
     @property
     def make(self) -> str:
@@ -256,12 +261,13 @@ class SdkDriver:
             return ()
         try:
             return self._listed(self._sdk())
-        except Exception:  # noqa: BLE001 - an SDK that cannot list lists nothing; opening by serial says why
+        except Exception:  # an SDK raises what it likes; opening by serial says why
+            log.exception("%s cannot list its devices", self._module)
             return ()
 
     def sensor(self, serial: str) -> SdkSensor:
         """Return the sensor of a serial, which need not be plugged in."""
-        return SdkSensor(self._make, self._maker, serial, lambda: self._found(serial))
+        return SdkSensor(self._make, self._maker, serial, lambda: self._found(serial), self._projector)
 
     def _found(self, serial: str) -> Camera:
         """Return the camera of a serial. Raises `WorldError` where it is not plugged in, or the SDK cannot be used."""

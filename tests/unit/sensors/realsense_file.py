@@ -20,7 +20,7 @@ from fruitgui.geometry.pose import Pose
 from fruitgui.sensors.realsense import REALSENSE, RealSenseCamera
 from fruitgui.sensors.registration import Registration
 from fruitgui.sensors.sdk import Sdk, SdkSensor
-from fruitgui.sensors.sensor import SensorTimeoutError
+from fruitgui.sensors.sensor import Projector, SensorTimeoutError
 from tests.unit.sensors.contract import walk
 
 SERIAL = "923322071108"
@@ -134,6 +134,7 @@ def played(path: Path) -> SdkSensor:
         "Intel",
         SERIAL,
         lambda: RealSenseCamera(rs, SERIAL, every_picture_of(path)),
+        Projector.HARMLESS,
         lambda: lambda device_s, _: device_s,
     )
 

@@ -20,7 +20,7 @@ from fruitgui.sensors.oak import listed_devices as listed_oaks
 from fruitgui.sensors.orbbec import OrbbecCamera
 from fruitgui.sensors.orbbec import listed_devices as listed_orbbecs
 from fruitgui.sensors.sdk import Camera, Opened, SdkDriver, SdkSensor, Shot
-from fruitgui.sensors.sensor import SensorTimeoutError
+from fruitgui.sensors.sensor import Projector, SensorTimeoutError
 from fruitgui.sensors.usb.machine import Machine
 from fruitgui.sensors.usb.plugged import is_plugged
 from tests.unit.sensors.contract import walk
@@ -60,7 +60,7 @@ class Scripted:
 
 
 def sensor_of(camera: Camera) -> SdkSensor:
-    return SdkSensor("small", "Maker", "A 1", lambda: camera)
+    return SdkSensor("small", "Maker", "A 1", lambda: camera, Projector.HARMLESS)
 
 
 def test_it_keeps_to_the_protocol() -> None:
@@ -89,7 +89,14 @@ def test_what_an_sdk_raises_is_put_into_words() -> None:
 
 def driver_of(module: str, plugged: bool, lists: Callable[[Any], Sequence[PluggedDevice]]) -> SdkDriver:
     return SdkDriver(
-        "small", "Maker", module, "pip install small", lists, lambda _, __: Scripted([]), lambda _: plugged
+        "small",
+        "Maker",
+        module,
+        "pip install small",
+        lists,
+        lambda _, __: Scripted([]),
+        Projector.FIXED,
+        lambda _: plugged,
     )
 
 
@@ -127,11 +134,16 @@ def test_an_sdk_is_loaded_once_a_device_is_plugged_in(sdk: str, capsys: pytest.C
     assert capsys.readouterr().out == ""
 
 
-def test_an_sdk_that_cannot_list_lists_nothing(sdk: str) -> None:
+def test_an_sdk_that_cannot_list_lists_nothing_and_the_log_says_why(sdk: str, caplog: pytest.LogCaptureFixture) -> None:
     def listed(_: ModuleType) -> Sequence[PluggedDevice]:
         raise RuntimeError("no backend")
 
     assert driver_of(sdk, True, listed).devices() == ()
+    assert "no backend" in caplog.text
+
+
+def test_what_its_light_does_to_others_is_told(sdk: str) -> None:
+    assert driver_of(sdk, True, lambda _: ()).sensor("A1").info.projector is Projector.FIXED
 
 
 def test_whether_a_make_is_plugged_in_is_seen_in_the_usb_tree(tmp_path: Path) -> None:
@@ -218,7 +230,7 @@ class LooksLikeOrbbec:
 def test_orbbec() -> None:
     ob = LooksLikeOrbbec()
     assert listed_orbbecs(ob) == [PluggedDevice("orbbec", "Orbbec Gemini 2", "A1")]
-    sensor = SdkSensor("orbbec", "Orbbec", "A1", lambda: OrbbecCamera(ob, "A1"))
+    sensor = SdkSensor("orbbec", "Orbbec", "A1", lambda: OrbbecCamera(ob, "A1"), Projector.FIXED)
     walk(sensor)
     sensor.open()
     sensor.start()
@@ -294,7 +306,7 @@ class LooksLikeDepthai:
 def test_oak() -> None:
     dai = LooksLikeDepthai()
     assert listed_oaks(dai) == [PluggedDevice("oak", "OAK", "A1")]
-    sensor = SdkSensor("oak", "Luxonis", "A1", lambda: OakCamera(dai, "A1"))
+    sensor = SdkSensor("oak", "Luxonis", "A1", lambda: OakCamera(dai, "A1"), Projector.HARMLESS)
     walk(sensor)
     sensor.open()
     sensor.start()
