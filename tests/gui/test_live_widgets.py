@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.drawn import BeltMap, DrawnFruit, DrawnPicture, KindLine, LastFruit, MappedFruit
 from fruitgui.gui.steps.live.belt_map import BeltView
-from fruitgui.gui.steps.live.counts import CountsView
+from fruitgui.gui.steps.live.counts import TOTAL, CountsView
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
 from fruitgui.gui.steps.live.layout import Pictures, columns_for
 from fruitgui.gui.theme.kinds import kind_marks
@@ -102,7 +102,7 @@ def test_counts_are_high_enough_for_two_metres(qtbot: QtBot, theme: Theme) -> No
     view.show_lines([_line("lemon", 8)] * 6)
     image = view.grab().toImage()
     ink = theme.colour("text")
-    top = 44
+    top = TOTAL
     rows = [y for y in range(top, top + 56) if any(image.pixelColor(x, y) == ink for x in range(325, 360))]
     assert rows[-1] - rows[0] + 1 >= 29
 

@@ -204,7 +204,7 @@ def test_a_corrected_fruit_says_both_what_the_machine_and_what_a_person_said(sto
 def test_everything_measured_is_said_with_its_interval(store: Store, clock: Clock) -> None:
     lot = run(store, clock, "1184", "", 2)
     said = dict(facts(store.fruit.find(FruitQuery(lot)).fruit[1]))
-    assert all("±" in said[name] for name in ("Volume", "as fitted", "Mass", "Diameter", "Length", "Perimeter"))
+    assert all("±" in said[name] for name in ("Volume", "uncorrected", "Mass", "Diameter", "Length", "Perimeter"))
     assert "by the paper" not in said, "what was not measured takes no line"
 
 

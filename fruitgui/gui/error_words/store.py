@@ -46,7 +46,7 @@ def words() -> Mapping[str, tuple[str, str]]:
         ),
         "store_damaged": (
             translate("Errors", "{file} is damaged."),
-            translate("Errors", "The last good backup can be restored; what is there now is kept aside."),
+            translate("Errors", "A good backup, where there is one, can be restored; what is there now is kept aside."),
         ),
         "store_failed": (
             translate("Errors", "{file} could not be read or written."),

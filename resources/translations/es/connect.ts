@@ -530,8 +530,8 @@
         <translation>estable desde hace {time}</translation>
     </message>
     <message>
-        <source>warming up, {rate} a minute</source>
-        <translation>calentándose, {rate} por minuto</translation>
+        <source>{rate} a minute</source>
+        <translation>{rate} por minuto</translation>
     </message>
     <message>
         <source>Wait until its depth is steady before you calibrate or correct it.</source>
@@ -540,6 +540,10 @@
     <message>
         <source>watched for {time}</source>
         <translation>en observación desde hace {time}</translation>
+    </message>
+    <message>
+        <source>not watched yet</source>
+        <translation>sin observar aún</translation>
     </message>
     <message>
         <source>not known yet</source>
@@ -1306,6 +1310,10 @@
     <message>
         <source>Whether exposure and white balance, and the light on the belt, stay as they are</source>
         <translation>Si la exposición, el balance de blancos y la luz en la cinta se mantienen</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Deriva</translation>
     </message>
     <message>
         <source>Depth</source>

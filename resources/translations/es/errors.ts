@@ -560,8 +560,8 @@
         <translation>{file} está dañado.</translation>
     </message>
     <message>
-        <source>The last good backup can be restored; what is there now is kept aside.</source>
-        <translation>Se puede restaurar el último respaldo bueno; lo que hay ahora se guarda aparte.</translation>
+        <source>A good backup, where there is one, can be restored; what is there now is kept aside.</source>
+        <translation>Se puede restaurar un respaldo bueno, si lo hay; lo que hay ahora se guarda aparte.</translation>
     </message>
     <message>
         <source>{file} could not be read or written.</source>

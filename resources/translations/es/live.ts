@@ -19,6 +19,10 @@
         <translation>{litres} · {rate}/min</translation>
     </message>
     <message>
+        <source>mean {volume}</source>
+        <translation>media {volume}</translation>
+    </message>
+    <message>
         <source>{rate}/min</source>
         <translation>{rate}/min</translation>
     </message>

@@ -598,7 +598,7 @@
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>as fitted</source>
+        <source>uncorrected</source>
         <translation>sin corregir</translation>
     </message>
     <message>

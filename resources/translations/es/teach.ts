@@ -204,7 +204,7 @@
         <translation>Con tipo</translation>
     </message>
     <message>
-        <source>Likely mistakes</source>
+        <source>Doubtful</source>
         <translation>Dudosas</translation>
     </message>
 </context>
@@ -223,8 +223,8 @@
         <translation>Aún sin tipo</translation>
     </message>
     <message>
-        <source>As fitted</source>
-        <translation>Calculado</translation>
+        <source>Estimated</source>
+        <translation>Estimado</translation>
     </message>
     <message>
         <source>Volume</source>

@@ -190,12 +190,12 @@
         <translation>Más fruta igual apenas ayudaría; mire los errores o muestre fruta de aspecto distinto.</translation>
     </message>
     <message>
-        <source>No reference fruit: volumes stay as fitted. Type the measured volume of some fruit of each kind on the screen “Teach”.</source>
-        <translation>Sin fruta de referencia: los volúmenes quedan como se calcularon. Escriba el volumen medido de algunas frutas de cada tipo en la pantalla «Enseñar».</translation>
+        <source>No reference fruit: volumes stay uncorrected. Type the measured volume of some fruit of each kind on the screen “Teach”.</source>
+        <translation>Sin fruta de referencia: los volúmenes quedan sin corregir. Escriba el volumen medido de algunas frutas de cada tipo en la pantalla «Enseñar».</translation>
     </message>
     <message>
-        <source>Volumes err by {before} % as fitted and by {after} % corrected, on average over {count} fruit, each corrected by what the others teach.</source>
-        <translation>Los volúmenes fallan en {before} % como se calcularon y en {after} % corregidos, en promedio sobre {count} frutas, cada una corregida con lo que enseñan las demás.</translation>
+        <source>Volumes err by {before} % uncorrected and by {after} % corrected, on average over {count} fruit, each corrected by what the others teach.</source>
+        <translation>Los volúmenes fallan en {before} % sin corregir y en {after} % corregidos, en promedio sobre {count} frutas, cada una corregida con lo que enseñan las demás.</translation>
     </message>
     <message>
         <source>{count} measures were left out: they cannot be of those fruit.</source>
@@ -367,8 +367,8 @@
         <translation>Volumen estimado, ml</translation>
     </message>
     <message>
-        <source>as fitted</source>
-        <translation>calculado</translation>
+        <source>uncorrected</source>
+        <translation>sin corregir</translation>
     </message>
     <message>
         <source>corrected, ± 95 %</source>

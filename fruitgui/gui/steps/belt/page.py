@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 from PySide6.QtCore import QEvent, QTimer
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.frame import F64
 from fruitgui.gui.messages import Level, Message
@@ -25,6 +25,7 @@ from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace
+from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.sensors.feed import Feed
 from fruitgui.station.belt_setting import area_m2
 from fruitgui.station.fingerprint import calibration_fingerprint
@@ -85,10 +86,7 @@ class BeltPage(StepPage):
         super().changeEvent(event)
 
     def _lay_out(self) -> None:
-        scroll = QScrollArea()
-        self.side.setProperty("role", "scrolled")
-        scroll.setWidget(self.side)
-        scroll.setWidgetResizable(True)
+        scroll = Scrolled(self.side)
         scroll.setFixedWidth(SIDE_WIDTH)
         left = QVBoxLayout()
         left.setSpacing(GRID)

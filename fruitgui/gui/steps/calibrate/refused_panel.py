@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent
-from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from fruitgui.gui.steps.calibrate.reasons import Told
 from fruitgui.gui.steps.calibrate.sketch_view import SketchView
@@ -14,6 +14,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.rig_graph import GraphLink, GraphNode, RigGraph
+from fruitgui.gui.widgets.scrolled import Scrolled
 
 MOST_SHOWN = 4
 
@@ -76,7 +77,6 @@ class RefusedPanel(QWidget):
     def _lay_out(self) -> None:
         self._title.setWordWrap(True)
         inner = QWidget()
-        inner.setProperty("role", "scrolled")
         column = QVBoxLayout(inner)
         column.setContentsMargins(0, 0, GRID, 0)
         column.setSpacing(2 * GRID)
@@ -84,9 +84,7 @@ class RefusedPanel(QWidget):
         column.addLayout(self._column)
         column.addWidget(self._more)
         column.addStretch()
-        scroll = QScrollArea()
-        scroll.setWidget(inner)
-        scroll.setWidgetResizable(True)
+        scroll = Scrolled(inner)
         self._links.body.addWidget(self.graph, 1)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)

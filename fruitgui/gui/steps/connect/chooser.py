@@ -10,7 +10,6 @@ from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import (
     QAbstractButton,
     QHBoxLayout,
-    QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -22,6 +21,7 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.station.recordings_made import MadeRecording
 from fruitgui.station.sources import Source
 
@@ -152,19 +152,15 @@ class SourceChooser(QWidget):
 
     def _lay_out(self) -> None:
         inner = QWidget()
-        inner.setProperty("role", "scrolled")
         column = QVBoxLayout(inner)
         column.setContentsMargins(0, 0, GRID, 0)
         column.setSpacing(2 * GRID)
         column.addLayout(self._list)
         column.addWidget(self._supported)
         column.addStretch()
-        scroll = QScrollArea()
-        scroll.setWidget(inner)
-        scroll.setWidgetResizable(True)
+        scroll = Scrolled(inner)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setFixedWidth(LIST_WIDTH)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         row = QHBoxLayout()
         row.setSpacing(3 * GRID)
         row.addWidget(scroll)

@@ -183,8 +183,8 @@ class SensorDetails(Card):
             "rate": self.tr("Pictures"),
             "lost": self.tr("Lost"),
             "colour": self.tr("Exposure"),
-            "warmth": self.tr("Depth"),
-            "correction": "",
+            "warmth": self.tr("Drift"),
+            "correction": self.tr("Depth"),
         }
         for part, text in heads.items():
             self._heads[part].setText(text)

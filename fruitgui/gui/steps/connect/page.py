@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, QTimer
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
@@ -21,6 +21,7 @@ from fruitgui.gui.steps.connect.turn_card import TurnCard
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.station.checkup.job import CheckupPlan, check_up
 from fruitgui.station.checkup.measuring import MeasuringBeside, measure
 from fruitgui.station.connection import Connection
@@ -80,19 +81,16 @@ class ConnectPage(StepPage):
 
     def _lay_out(self) -> None:
         side = QWidget()
-        side.setProperty("role", "scrolled")
         column = QVBoxLayout(side)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
         for card in (self.recording.card, self.details, self.turns):
-            card.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+            card.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         column.addWidget(self.recording.card)
         column.addWidget(self.details)
         column.addWidget(self.turns)
         column.addStretch()
-        scroll = QScrollArea()
-        scroll.setWidget(side)
-        scroll.setWidgetResizable(True)
+        scroll = Scrolled(side)
         scroll.setFixedWidth(SIDE_WIDTH)
         running = QWidget()
         row = QHBoxLayout(running)

@@ -25,13 +25,13 @@ def warmth(kind: str, now: Warmup) -> Condition:
         rate = f"{number_text(abs(now.rate_m_s) * 6e4, 2)}{THIN}mm"
         return Condition(
             "warn",
-            translate("Connect", "warming up, {rate} a minute").format(rate=rate),
+            translate("Connect", "{rate} a minute").format(rate=rate),
             translate("Connect", "Wait until its depth is steady before you calibrate or correct it."),
         )
     if now.watched_s > 0.0:
         text = translate("Connect", "watched for {time}")
         return Condition("", text.format(time=duration_text(now.watched_s)))
-    return Condition("", translate("Connect", "not known yet"))
+    return Condition("", translate("Connect", "not watched yet"))
 
 
 def light(kind: str, now: Steadiness) -> Condition:

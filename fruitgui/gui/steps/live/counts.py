@@ -19,6 +19,9 @@ TALLEST, LOWEST = 84, 40
 ROOMY = 52
 """Rows at least so high have larger names."""
 
+TOTAL, TOTAL_FIGURE_PX = 48, 36
+"""The row of all fruit together, and its figure."""
+
 FIGURE_SHARE = 0.78
 SMALLEST_FIGURE_PX, LARGEST_FIGURE_PX = 28, 64
 """Counts take so much of their row's height; from 40 pixels on they are read from two metres away."""
@@ -63,23 +66,29 @@ class CountsView(QWidget):
         count = sum(line.count for line in self._lines)
         litres = sum(line.total_l for line in self._lines)
         rate = sum(line.per_minute for line in self._lines)
-        painter.setFont(theme.font("title", QFont.Weight.DemiBold))
-        height = QFontMetricsF(painter.font()).height() + GRID
+        box = QRectF(0, 0, self.width(), TOTAL)
         painter.setPen(theme.colour("text"))
-        box = QRectF(0, 0, self.width(), height)
-        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, count_text(count))
+        painter.setFont(theme.font("title", QFont.Weight.DemiBold))
         painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.tr("All fruit"))
+        painter.setFont(self._figure(TOTAL_FIGURE_PX))
+        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, count_text(count))
+        right = box.right() - QFontMetricsF(painter.font()).horizontalAdvance(count_text(count)) - 1.5 * GRID
         painter.setFont(theme.font("small"))
         painter.setPen(theme.colour("text_dim"))
         text = self.tr("{litres} · {rate}/min").format(litres=f"{number_text(litres, 1)}{THIN}l", rate=count_text(rate))
-        middle = box.adjusted(0, 0, -QFontMetricsF(theme.font("title")).horizontalAdvance("0 000 000"), 0)
-        painter.drawText(middle, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, text)
-        return height + GRID
+        box.setRight(right)
+        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, text)
+        return TOTAL
+
+    def _figure(self, size_px: float) -> QFont:
+        font = self._theme.font("figure", QFont.Weight.DemiBold)
+        font.setPixelSize(round(size_px))
+        return font
 
     def _row(self, line: KindLine, height: float, *, ruled: bool) -> QPixmap:
         """Return a kind's row; of all rows few change from look to look."""
         theme, box, ratio = self._theme, QRectF(0, 0, self.width(), height), self.devicePixelRatioF()
-        key = ("count", line, box.width(), height, ruled, ratio, theme.name, theme.text_scale, self.tr("{rate}/min"))
+        key = ("count", line, box.width(), height, ruled, ratio, theme.name, theme.text_scale, self.tr("mean {volume}"))
         return stamp(
             key,
             lambda: drawn_pixmap(
@@ -94,9 +103,7 @@ class CountsView(QWidget):
             painter.drawLine(box.topLeft(), box.topRight())
         side = min(box.height() * 0.62, 44.0)
         paint_mark(painter, QRectF(0, box.center().y() - side / 2, side, side), line.mark)
-        figure = theme.font("figure", QFont.Weight.DemiBold)
-        figure.setPixelSize(round(min(max(FIGURE_SHARE * box.height(), SMALLEST_FIGURE_PX), LARGEST_FIGURE_PX)))
-        painter.setFont(figure)
+        painter.setFont(self._figure(min(max(FIGURE_SHARE * box.height(), SMALLEST_FIGURE_PX), LARGEST_FIGURE_PX)))
         painter.setPen(theme.colour("text" if line.count else "text_dim"))
         count = count_text(line.count)
         width = QFontMetricsF(painter.font()).horizontalAdvance(count)
@@ -127,7 +134,8 @@ class CountsView(QWidget):
         parts = []
         if line.volume_ml is not None:
             spread = "" if line.spread_ml is None else f" (±{number_text(line.spread_ml, 0)})"
-            parts.append(f"⌀ {number_text(line.volume_ml, 0)}{spread}{THIN}ml")
+            volume = f"{number_text(line.volume_ml, 0)}{spread}{THIN}ml"
+            parts.append(self.tr("mean {volume}").format(volume=volume))
         parts.append(self.tr("{rate}/min").format(rate=count_text(line.per_minute)))
         parts.append(f"{number_text(line.total_l, 1)}{THIN}l")
         if line.mass_kg is not None:

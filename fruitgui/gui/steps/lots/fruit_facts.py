@@ -45,7 +45,7 @@ def facts(fruit: FruitRecord) -> list[tuple[str, str]]:
     factor, unit = UNITS["volume_m3"]
     rows = [
         (translate("Lots", "Volume"), measure_text("volume_m3", fruit.volume_m3)),
-        (translate("Lots", "as fitted"), measure_text("volume_m3", fruit.fitted_volume_m3)),
+        (translate("Lots", "uncorrected"), measure_text("volume_m3", fruit.fitted_volume_m3)),
         (translate("Lots", "by the paper"), NONE if paper is None else f"{number_text(paper * factor, 1)}{THIN}{unit}"),
         (translate("Lots", "Mass"), measure_text("mass_kg", fruit.mass_kg)),
         (translate("Lots", "Diameter"), measure_text("diameter_m", fruit.diameter_m)),
@@ -55,7 +55,7 @@ def facts(fruit: FruitRecord) -> list[tuple[str, str]]:
         (translate("Lots", "Counted"), moment_text(fruit.counted_s)),
         (translate("Lots", "Outlet"), fruit.outlet or NONE),
     ]
-    optional = {translate("Lots", "as fitted"), translate("Lots", "by the paper"), translate("Lots", "Outlet")}
+    optional = {translate("Lots", "uncorrected"), translate("Lots", "by the paper"), translate("Lots", "Outlet")}
     return [(name, value) for name, value in rows if value != NONE or name not in optional]
 
 

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QFrame,
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QScrollArea,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -28,6 +26,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label, set_health
 from fruitgui.gui.widgets.kind_mark import KindMarkView
+from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.records.fruit_record import FruitRecord
 
 
@@ -101,7 +100,6 @@ class FruitView(QWidget):
         top.addWidget(self.before)
         top.addWidget(self.after)
         side = QWidget()
-        side.setProperty("role", "scrolled")
         right = QVBoxLayout(side)
         right.setContentsMargins(0, 0, GRID, 0)
         right.setSpacing(GRID // 2)
@@ -116,11 +114,7 @@ class FruitView(QWidget):
         right.addWidget(self.way)
         right.addWidget(self.said)
         right.addStretch()
-        scroll = QScrollArea()
-        scroll.setWidget(side)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll = Scrolled(side)
         left = QVBoxLayout()
         left.setSpacing(GRID // 2)
         left.addWidget(self.picture, 1)

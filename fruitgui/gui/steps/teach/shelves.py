@@ -80,11 +80,12 @@ class Shelves(QWidget):
         self.scale.setValue(USUAL)
         self.scale.setPageStep(32)
         self.scale.setSingleStep(16)
-        self.scale.setFixedWidth(80)
+        self.scale.setFixedWidth(64)
         row.addWidget(self.scale)
         for tool in self.tools:
             row.addWidget(tool)
-        self.kinds.setMinimumWidth(168)
+        self.kinds.setMinimumContentsLength(10)
+        self.kinds.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self._group.buttonClicked.connect(self._choose_pile)
         self.kinds.activated.connect(self._choose_kind)
         self.scale.valueChanged.connect(self.resized)
@@ -134,7 +135,7 @@ class Shelves(QWidget):
         words = {
             Pile.WAITING: self.tr("Waiting"),
             Pile.NAMED: self.tr("Named"),
-            Pile.DOUBTFUL: self.tr("Likely mistakes"),
+            Pile.DOUBTFUL: self.tr("Doubtful"),
         }
         for pile, button in self.piles.items():
             button.setText(f"{words[pile]}  {count_text(self._counts[pile])}")

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QLocale, QRectF, QRegularExpression, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QRegularExpressionValidator
-from PySide6.QtWidgets import QFormLayout, QLabel, QLineEdit, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QLabel, QLineEdit, QSizePolicy, QVBoxLayout, QWidget
 
 from fruitgui.gui.numbers import THIN, measured_text, number_text
 from fruitgui.gui.steps.teach.grid import paint_view
@@ -17,6 +17,7 @@ from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.view_pictures import ViewPictures
 from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.kind_mark import KindMarkView
+from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.measurement.fruit import Size
 from fruitgui.records.teaching import Brief
 from fruitgui.station.report import ML_PER_M3
@@ -191,21 +192,17 @@ class SidePanel(Card):
         for widget in (self.density, self.depths, self._about, self.source):
             column.addWidget(widget)
         inside = QWidget()
-        inside.setProperty("role", "scrolled")
         whole = QVBoxLayout(inside)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(self._many)
         whole.addWidget(self._body)
         whole.addStretch()
-        scroll = QScrollArea()
-        scroll.setWidget(inside)
-        scroll.setWidgetResizable(True)
+        scroll = Scrolled(inside)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.body.addWidget(scroll)
 
     def _say_words(self) -> None:
-        self._labels["fitted"].setText(self.tr("As fitted"))
+        self._labels["fitted"].setText(self.tr("Estimated"))
         self._labels["volume"].setText(self.tr("Volume"))
         self._labels["mass"].setText(self.tr("Weight"))
         for field, name, tip in (

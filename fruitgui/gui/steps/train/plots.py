@@ -137,7 +137,7 @@ class VolumePlot(Plot):
         painter.setBrush(theme.colour("text"))
         painter.drawLine(below + QPointF(0, -0.6 * MARK), below + QPointF(0, 0.6 * MARK))
         painter.drawEllipse(below, DOT, DOT)
-        for point, text in ((place, self.tr("as fitted")), (below, self.tr("corrected, ± 95 %"))):
+        for point, text in ((place, self.tr("uncorrected")), (below, self.tr("corrected, ± 95 %"))):
             words = QRectF(point.x() + 2 * GRID, point.y() - 10, 150, 20)
             painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, text)
 

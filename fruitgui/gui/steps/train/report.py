@@ -164,10 +164,10 @@ def volume_words(trained: Trained) -> VolumeWords:
     """Return what reference fruit say of volumes."""
     before, after = mean_error(trained.checks)
     if not trained.checks:
-        text = translate("Train", "No reference fruit: volumes stay as fitted. Type the measured volume of some fruit "
-                         "of each kind on the screen “Teach”.")  # fmt: skip
+        text = translate("Train", "No reference fruit: volumes stay uncorrected. Type the measured volume of some "
+                         "fruit of each kind on the screen “Teach”.")  # fmt: skip
     else:
-        text = translate("Train", "Volumes err by {before} % as fitted and by {after} % corrected, on average over "
+        text = translate("Train", "Volumes err by {before} % uncorrected and by {after} % corrected, on average over "
                          "{count} fruit, each corrected by what the others teach.").format(
             before=number_text(100 * before, 1), after=number_text(100 * after, 1), count=len(trained.checks)
         )  # fmt: skip

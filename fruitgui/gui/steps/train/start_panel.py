@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from PySide6.QtCore import QDateTime, QEvent, QLocale, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
@@ -16,6 +16,7 @@ from fruitgui.gui.steps.train.report import interval_text
 from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.times import moment_text
 from fruitgui.gui.widgets.cards import Card, label, set_health
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.records.models import ModelVersion
@@ -87,8 +88,7 @@ def version_line(version: ModelVersion) -> tuple[str, str]:
 
 def held_out_line(made_s: float, held: Mapping[str, Any]) -> tuple[str, str]:
     """Return when something was made (Unix seconds), and how it did on fruit held out."""
-    when = QDateTime.fromSecsSinceEpoch(round(made_s))
-    made = QLocale().toString(when, QLocale.FormatType.ShortFormat)
+    made = moment_text(made_s)
     if not held.get("fruit") or not {"right", "low", "high"} <= held.keys():
         return made, "—"
     rate = Rate(float(held["right"]), float(held["low"]), float(held["high"]), int(held["fruit"]))
