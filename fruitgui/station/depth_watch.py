@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import logging
-import threading
-import time
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -17,13 +14,12 @@ from fruitgui.calibration.still import Still, average
 from fruitgui.errors import FruitguiError
 from fruitgui.frame import Bools
 from fruitgui.sensors.feed import Feed
+from fruitgui.station.looks import Looks
 from fruitgui.station.stills import collect_stills
 
 CAPTURES = 3
 REST_S, REST_SHARE = 0.3, 1.0
 """It rests at least so long, and as long as it worked: the window and the sensors come first."""
-
-log = logging.getLogger(__name__)
 
 
 class Looked(StrEnum):
@@ -82,44 +78,25 @@ MOVING = 0.005
 """Share of the picture that changes although nothing moves: edges flicker."""
 
 
-class DepthWatch:
-    """Looks from `start` to `stop` for what `aim` says; `newest` is what it saw last. Stopping waits for nothing."""
+class DepthWatch(Looks):
+    """Looks at one sensor for what `aim` says; `newest` is what it saw last."""
 
     def __init__(self, feed: Feed, sensor: str, aim: Aim) -> None:
+        super().__init__("depth watch", REST_S, REST_SHARE)
         self._feed = feed
         self._sensor = sensor
-        self._stop = threading.Event()
-        self._thread = threading.Thread(target=self._run, name="depth watch", daemon=True)
         self.aim = aim
         self.newest: Sight | None = None
 
-    def start(self) -> None:
-        """Begin. Once only."""
-        self._thread.start()
+    def look(self) -> None:
+        """Look for it; nothing where the sensor does not run: the screen that shows its health says why."""
+        try:
+            self.newest = self._seen(self.aim)
+        except FruitguiError:
+            self.newest = None
 
-    def stop(self) -> None:
-        """Let it end after what it does just now, a second at most."""
-        self._stop.set()
-
-    def wait(self, timeout_s: float) -> bool:
-        """Return whether it has ended, in that time."""
-        if self._thread.ident is not None:
-            self._thread.join(timeout_s)
-        return not self._thread.is_alive()
-
-    def _run(self) -> None:
-        while not self._stop.is_set():
-            began_s = time.monotonic()
-            try:
-                self.newest = self._look(self.aim)
-            except FruitguiError:
-                self.newest = None  # the screen that shows the sensor's health says why
-            except Exception:  # the edge of a thread; this is a help, and must not end anything else
-                log.exception("looking for %s", self.aim.what)
-            self._stop.wait(max(REST_S, REST_SHARE * (time.monotonic() - began_s)))
-
-    def _look(self, aim: Aim) -> Sight | None:
-        frames = collect_stills(self._feed, CAPTURES, cancelled=self._stop.is_set, sensors={self._sensor})
+    def _seen(self, aim: Aim) -> Sight | None:
+        frames = collect_stills(self._feed, CAPTURES, cancelled=lambda: self.stopping, sensors={self._sensor})
         sight = sight_of(average(frames[self._sensor]), aim)
         return sight if aim is self.aim else None
 

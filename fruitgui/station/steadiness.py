@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import threading
 from collections import deque
 from dataclasses import dataclass
 
@@ -12,6 +11,7 @@ from fruitgui.calibration.light_drift import LightDrift, light_drift
 from fruitgui.calibration.warmup import NOT_WATCHED, Warmup, warmup
 from fruitgui.frame import Frame
 from fruitgui.sensors.feed import Feed
+from fruitgui.station.looks import Looks
 
 LOOK_S = 6.0
 """Between two looks at one sensor, by its own clock."""
@@ -112,47 +112,26 @@ class SensorSteadiness:
         )
 
 
-class SteadinessWatch:
-    """Looks at all sensors of a feed on a thread of its own, from `start` to `stop`."""
+class SteadinessWatch(Looks):
+    """Looks at all sensors of a feed."""
 
     def __init__(self, feed: Feed) -> None:
+        super().__init__("steadiness", REST_S, begin_s=BEGIN_S)
         self._feed = feed
         self._sensors = {sensor: SensorSteadiness() for sensor in feed.sensors}
-        self._stop = threading.Event()
-        self._thread = threading.Thread(target=self._run, name="steadiness", daemon=True)
-
-    def start(self) -> None:
-        """Begin. Once only."""
-        self._thread.start()
-
-    def stop(self) -> None:
-        """Let it end after what it does just now; waits for nothing."""
-        self._stop.set()
-
-    @property
-    def running(self) -> bool:
-        """Whether its thread has not ended yet."""
-        return self._thread.is_alive()
-
-    def wait(self, timeout_s: float) -> bool:
-        """Return whether it has ended, in that time."""
-        if self._thread.ident is not None:
-            self._thread.join(timeout_s)
-        return not self._thread.is_alive()
 
     def of(self, sensor: str) -> Steadiness:
         """Return how steady a sensor is; from any thread."""
         watched = self._sensors.get(sensor)
         return Steadiness() if watched is None else watched.now
 
-    def _run(self) -> None:
-        self._stop.wait(BEGIN_S)
-        while not self._stop.wait(REST_S):
-            for sensor, watched in self._sensors.items():
-                frame = self._feed.newest(sensor)
-                if frame is None or self._stop.is_set():
-                    continue
-                try:
-                    watched.see(frame)
-                except Exception:  # the edge of a thread; this is a help, and must not end anything else
-                    log.exception("watching how steady sensor %s is", sensor)
+    def look(self) -> None:
+        """Show each its newest frame; what goes wrong with one does not keep the others from theirs."""
+        for sensor, watched in self._sensors.items():
+            frame = self._feed.newest(sensor)
+            if frame is None or self.stopping:
+                continue
+            try:
+                watched.see(frame)
+            except Exception:
+                log.exception("watching how steady sensor %s is", sensor)

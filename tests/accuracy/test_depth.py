@@ -17,7 +17,7 @@ from fruitgui.sensors.depth_correction import DepthCorrection
 from fruitgui.simulation.depth_bench import depth_bench
 from fruitgui.simulation.kinect import DepthModel
 
-pytestmark = pytest.mark.accuracy
+pytestmark = [pytest.mark.accuracy, pytest.mark.xdist_group("depth of many devices")]  # what was measured serves both
 
 DEVICES = 8
 CORNER_R2 = (320**2 + 240**2) / 580**2

@@ -19,6 +19,12 @@ SILENT_AFTER_S = 0.8
 SILENT_AFTER_PERIODS = 4.0
 """A sensor is silent when it owes a frame for so long, or for so many of its periods where those are longer."""
 
+SLOW_SHARE = 0.75
+"""Below this share of what a device promises, its rate is a problem."""
+
+LOST_SHARE = 0.02
+"""From this share of lost pictures on, they are a problem."""
+
 
 class Running(StrEnum):
     """What a sensor is doing."""

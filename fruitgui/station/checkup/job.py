@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 from fruitgui.sensors.drivers import Driver, known_drivers
+from fruitgui.sensors.feed import LOST_SHARE, SLOW_SHARE
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.usb.bandwidth import PROMISED_US, BusLoad, bus_loads
 from fruitgui.sensors.usb.findings import UsbView, look_over
@@ -22,13 +23,6 @@ from fruitgui.station.checkup.records import CheckedController, CheckedSensor, C
 ALWAYS_ASKED = ("kinect",)
 """Drivers whose library is small and belongs to the system. A vendor's SDK is loaded only where the USB shows a device
 that it reads."""
-
-SLOW_SHARE = 0.75
-"""Below this share of what a device promises, its rate is a problem."""
-
-LOST_SHARE = 0.02
-"""From this share of lost pictures on, they are a problem."""
-
 
 TOLD_STATES = {"sensor_busy": SensorState.BUSY, "sensor_not_allowed": SensorState.NO_ACCESS}
 """The states that a driver's own words tell, by their code."""

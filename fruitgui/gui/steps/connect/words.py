@@ -9,17 +9,11 @@ from PySide6.QtCore import QCoreApplication
 from fruitgui.errors import FruitguiError
 from fruitgui.gui import error_words
 from fruitgui.gui.numbers import count_text, number_text
-from fruitgui.sensors.feed import Running, SensorHealth
+from fruitgui.sensors.feed import LOST_SHARE, SLOW_SHARE, Running, SensorHealth
 from fruitgui.sensors.sensor import ColorLock
 from fruitgui.station.station_file import SENSOR_ID
 
 translate = QCoreApplication.translate
-
-SLOW_SHARE = 0.75
-"""Below this share of what the device promises, its rate is a matter to look after."""
-
-LOST_SHARE = 0.02
-"""From this share of lost pictures on, they are a matter to look after."""
 
 
 @dataclass(frozen=True, slots=True)
