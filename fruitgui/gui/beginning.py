@@ -10,7 +10,7 @@ from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
 from fruitgui.records.totals import KindTotal
 from fruitgui.sensors.feed import Feed
-from fruitgui.station.live import FLAT_OUT, LIVE, LiveLine
+from fruitgui.station.live import LIVE, Intake, LiveLine
 from fruitgui.station.model import Model
 from fruitgui.station.noted import NotedSink
 from fruitgui.station.station import Station
@@ -26,11 +26,13 @@ class LinePlan:
         model: reads the model; it takes a moment, so a task calls it.
         again: makes the sensors anew, for recordings: they are played from their beginning, and wait for the line.
             None for sensors that run by themselves.
+        intake: how their frames get into the line.
     """
 
     station: Station
     model: Callable[[], Model | None]
     again: Callable[[], Feed] | None = None
+    intake: Intake = LIVE
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,8 +77,8 @@ def begun(feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], so
     aside = None if model is None else SetAside(store.teaching, source)
     if aside is not None:
         sink.then = aside.keep
-    intake, teacher = LIVE if plan.again is None else FLAT_OUT, None if aside is None else aside.take
-    line = LiveLine(feed, plan.station, model, BufferedSink(sink), None, intake, teacher)
+    teacher = None if aside is None else aside.take
+    line = LiveLine(feed, plan.station, model, BufferedSink(sink), None, plan.intake, teacher)
     lot = begin()
     totals = store.lots.totals(lot.key)
     line.count_into(None if lot.paused else lot.key)

@@ -30,11 +30,12 @@ from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.facts import facts_of
 from fruitgui.station.kept_file import Damage, KeptFile
 from fruitgui.station.kinds_file import KindNotes
+from fruitgui.station.live import FLAT_OUT, LIVE, PLAYED
 from fruitgui.station.model import Model
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.recordings_made import FOLDER as RECORDINGS
 from fruitgui.station.settings import Settings
-from fruitgui.station.sources import Sources, is_finite
+from fruitgui.station.sources import Sources, is_finite, is_plugged
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import station_value
 from fruitgui.station.turn_plan import overlapping, rig_of, schedule_of
@@ -247,10 +248,11 @@ class Session(QObject):
             self.running.take_up(self._line_plan(self.station), lot)
 
     def _line_plan(self, station: Station) -> LinePlan:
-        connection = self.connection
-        recorded = connection is not None and is_finite(connection.source)
-        again = None if connection is None or not recorded else lambda: self.source.fresh_feed(connection)
-        return LinePlan(station, self._model_of(station), again)
+        connection, model = self.connection, self._model_of(station)
+        if connection is not None and is_finite(connection.source):
+            return LinePlan(station, model, lambda: self.source.fresh_feed(connection), FLAT_OUT)
+        plugged = connection is None or is_plugged(connection.source)
+        return LinePlan(station, model, intake=LIVE if plugged else PLAYED)
 
     def facts(self) -> Facts:
         """Return what exists, as far as the files tell."""

@@ -175,6 +175,11 @@ def is_finite(value: Mapping[str, Any]) -> bool:
     return value.get("kind") == "recording" and not value.get("looped")
 
 
+def is_plugged(value: Mapping[str, Any]) -> bool:
+    """Tell whether the source of a value is devices, which give frames however busy this computer is."""
+    return value.get("kind") == "devices"
+
+
 @dataclass(frozen=True, slots=True)
 class Make:
     """One kind of source.

@@ -16,6 +16,7 @@ from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.player import FlatOut, recorded_sensors
 from fruitgui.simulation.scenes import line_scene
 from fruitgui.station.connection import connection_to
+from fruitgui.station.live import FLAT_OUT
 from fruitgui.station.record_simulated import record_simulation
 from fruitgui.station.sources import RecordedSource
 from fruitgui.station.workspace import open_workspace
@@ -67,5 +68,5 @@ def start_flat_out(session: Session, folder: Path) -> None:
     def again() -> Feed:
         return Feed(recorded_sensors(folder / RECORDING, FlatOut(), looped=True))
 
-    plan = LinePlan(station, lambda: session.workspace.model(station).value, again)
+    plan = LinePlan(station, lambda: session.workspace.model(station).value, again, FLAT_OUT)
     session.running.start_lot(plan, LotPlan("benchmark", reference_sensor=station.reference))

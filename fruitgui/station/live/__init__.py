@@ -1,6 +1,6 @@
 """The line on live sensors: frames in, fruit counted, and what a screen draws of it."""
 
-from fruitgui.station.live.intake import FLAT_OUT, LIVE, Intake
+from fruitgui.station.live.intake import FLAT_OUT, LIVE, PLAYED, Intake
 from fruitgui.station.live.live_line import LiveLine
 from fruitgui.station.live.state import (
     Finished,
@@ -19,6 +19,7 @@ from fruitgui.station.live.state import (
 __all__ = [
     "FLAT_OUT",
     "LIVE",
+    "PLAYED",
     "Finished",
     "Intake",
     "LiveLine",

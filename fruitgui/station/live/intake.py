@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fruitgui.sensors.feed import DropOldest, Room, Running, WaitForRoom
 
@@ -33,6 +33,10 @@ FLAT_OUT = Intake(WaitForRoom(8), patience_s=30.0, jump_s=math.inf, away=(Runnin
 
 A sensor of a recording is silent whenever the line is not done yet with the others: that tells nothing.
 """
+
+
+PLAYED = replace(LIVE, away=FLAT_OUT.away)
+"""Sensors that this computer plays or computes, at their own rate: one that is late waits for it, not for a cable."""
 
 
 class ClockWatch:

@@ -23,6 +23,7 @@ from fruitgui.station.sources import (
     Source,
     Sources,
     devices_of,
+    is_plugged,
 )
 from tests.unit.sensors.scripted import ScriptedSensor
 
@@ -127,6 +128,11 @@ def test_all_devices_that_are_plugged_in_are_one_source() -> None:
         "devices": [{"make": "kinect", "serial": "A1"}, {"make": "kinect", "serial": "B2"}],
     }
     assert sources.source_of(json.loads(json.dumps(source.value()))) == source
+
+
+def test_only_devices_give_frames_however_busy_this_computer_is() -> None:
+    assert is_plugged(DevicesSource((DeviceId("kinect", "A1"),)).value())
+    assert not is_plugged(SimulatedSource(PRESETS["chain"]).value())
 
 
 def test_a_device_that_is_away_still_has_its_sensor() -> None:
