@@ -20,7 +20,7 @@ from fruitgui.gui.housekeeping import Housekeeping
 from fruitgui.gui.logs import Logs
 from fruitgui.gui.memory import GivingBack
 from fruitgui.gui.messages import Level, Message
-from fruitgui.gui.pages import make_pages
+from fruitgui.gui.pages import PageMaking, Pages
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.settings_dialog import SettingsDialog
@@ -60,9 +60,10 @@ class Application(QObject):
         self._help: HelpWindow | None = None
         self._settings: SettingsDialog | None = None
         self._dress(self.session.settings)
-        self.window = MainWindow(
-            self.theme, self.session.messages, self.session.tasks, make_pages(self.session, self.theme), self._close
-        )
+        pages = Pages(self.session, self.theme)
+        self.window = MainWindow(self.theme, self.session.messages, self.session.tasks, pages, self._close)
+        self._page_making = PageMaking(self.window, self.window.page, self)
+        self._page_making.done.connect(self._collector.leave_out)
         self._health = HealthWatch(self.session, self.window.top_bar, self)
         self._housekeeping = Housekeeping(self.session, self)
         self._giving_back = GivingBack(self)
@@ -98,6 +99,7 @@ class Application(QObject):
 
     def _close(self) -> bool:
         """End all that runs; it was saved as it came, or is now."""
+        self._page_making.stop()
         self._housekeeping.stop()
         self._health.stop()
         self._giving_back.stop()

@@ -29,8 +29,12 @@ class ConfinedCollector(QObject):
     def start(self) -> None:
         """Take over from Python."""
         gc.disable()
-        gc.freeze()
+        self.leave_out()
         self._timer.start()
+
+    def leave_out(self) -> None:
+        """Collect nothing of what exists by now: it lives as long as the window."""
+        gc.freeze()
 
     def stop(self) -> None:
         """Give back to Python what it had."""

@@ -26,7 +26,7 @@ class MainWindow(QMainWindow):
 
     Args:
         theme, messages, tasks: shared by all screens.
-        pages: one for every step.
+        pages: one for every step; each is asked for when it is first wanted.
         closing: called when the window is closed; false keeps it open.
     """
 
@@ -39,14 +39,11 @@ class MainWindow(QMainWindow):
         closing: Callable[[], bool] = lambda: True,
     ) -> None:
         super().__init__()
-        self._pages = dict(pages)
+        self._pages = pages
         self._closing = closing
         self._step: Step | None = None
         self.rail, self.top_bar, self.action_bar = Rail(theme), TopBar(theme), ActionBar(theme)
         self._stack = QStackedWidget()
-        for page in self._pages.values():
-            self._stack.addWidget(page)
-            page.step_wanted.connect(self.go_to)
         self._lay_out()
         self.rail.chosen.connect(self.go_to)
         messages.said.connect(self.action_bar.say)
@@ -64,16 +61,20 @@ class MainWindow(QMainWindow):
 
     def page(self, step: Step) -> StepPage:
         """Return the screen of a step."""
-        return self._pages[step]
+        page = self._pages[step]
+        if self._stack.indexOf(page) < 0:
+            self._stack.addWidget(page)
+            page.step_wanted.connect(self.go_to)
+        return page
 
     def go_to(self, step: Step) -> None:
         """Bring a step to the screen."""
         if step is self._step:
             return
         if self._step is not None:
-            self._pages[self._step].left()
+            self.page(self._step).left()
         self._step = step
-        page = self._pages[step]
+        page = self.page(step)
         self._stack.setCurrentWidget(page)
         self.rail.show_step(step)
         self.action_bar.follow(page)
@@ -86,7 +87,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
         """End the page in view, which may have something to save; then ask whoever owns what runs."""
-        page = None if self._step is None else self._pages[self._step]
+        page = None if self._step is None else self.page(self._step)
         if page is not None:
             page.left()
         if self._closing():

@@ -25,7 +25,7 @@ _PRAGMAS = (
     "PRAGMA synchronous=FULL",  # a commit is on the disk when it returns, whatever happens to the power
     "PRAGMA foreign_keys=ON",
     "PRAGMA journal_size_limit=67108864",
-    "PRAGMA cache_size=-16384",
+    "PRAGMA cache_size=-2048",  # each connection fills its own with what it wrote; the system has the pages anyway
 )
 
 

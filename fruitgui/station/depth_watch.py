@@ -82,7 +82,7 @@ class DepthWatch(Looks):
     """Looks at one sensor for what `aim` says; `newest` is what it saw last."""
 
     def __init__(self, feed: Feed, sensor: str, aim: Aim) -> None:
-        super().__init__("depth watch", REST_S, REST_SHARE)
+        super().__init__(name="depth watch", rest_s=REST_S, rest_share=REST_SHARE)
         self._feed = feed
         self._sensor = sensor
         self.aim = aim

@@ -40,7 +40,7 @@ class OutlookWatch(Looks):
     """Looks at all sensors of a feed; `newest` is what it saw last."""
 
     def __init__(self, feed: Feed) -> None:
-        super().__init__("outlook", REST_S, REST_SHARE)
+        super().__init__(name="outlook", rest_s=REST_S, rest_share=REST_SHARE)
         self._feed = feed
         self.newest: RigOutlook | None = None
 

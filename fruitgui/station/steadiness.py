@@ -116,7 +116,7 @@ class SteadinessWatch(Looks):
     """Looks at all sensors of a feed."""
 
     def __init__(self, feed: Feed) -> None:
-        super().__init__("steadiness", REST_S, begin_s=BEGIN_S)
+        super().__init__(name="steadiness", rest_s=REST_S, begin_s=BEGIN_S)
         self._feed = feed
         self._sensors = {sensor: SensorSteadiness() for sensor in feed.sensors}
 

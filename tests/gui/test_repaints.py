@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.drawn import BeltMap, DrawnFruit, DrawnPicture, KindLine, LastFruit, MappedFruit
-from fruitgui.gui.pages import make_pages
+from fruitgui.gui.pages import Pages
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.live.layout import LiveLayout
 from fruitgui.gui.steps.page import StepPage
@@ -94,7 +94,7 @@ def lost_by(qtbot: QtBot, widget: QWidget) -> int:
 
 @pytest.fixture
 def pages(qtbot: QtBot, session: Session, theme: Theme) -> dict[Step, StepPage]:
-    made = make_pages(session, theme)
+    made = dict(Pages(session, theme))
     for page in made.values():
         qtbot.addWidget(page)
     qtbot.waitUntil(lambda: not session.tasks.running)

@@ -45,13 +45,13 @@ def figures(folder: Path | None, minutes: float, blame_ms: float | None) -> Iter
     """Set the line up where it is not, and give one figure after the other."""
     from fruitgui.gui.app import make_qt
     from fruitgui.gui.benchmark.figure import Figure
-    from fruitgui.gui.benchmark.opening import opened_and_closed
+    from fruitgui.gui.benchmark.opening import openings
     from fruitgui.gui.benchmark.run import Run
     from fruitgui.gui.benchmark.stage import stage_in
 
     with stage_in(folder) as made:
-        openings = [opened_and_closed(made) for _ in range(OPENINGS)]
-        open_s, work_s, close_s = ([getattr(one, name) for one in openings] for name in ("open_s", "work_s", "close_s"))
+        timed = openings(made, OPENINGS)
+        open_s, work_s, close_s = ([getattr(one, name) for one in timed] for name in ("open_s", "work_s", "close_s"))
         median_s = float(np.median(open_s))
         more = f"median of {OPENINGS}, longest {max(open_s):.2f} s; own work {np.median(work_s):.2f} s"
         yield Figure("window is there", f"{median_s:.2f} s", f"<= {OPEN_S:.0f} s", median_s <= OPEN_S, more)

@@ -7,7 +7,9 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -53,11 +55,22 @@ class FirstPaint(QObject):
         sys.stdout.flush()
 
 
-def opened_and_closed(folder: Path) -> Opening:
+def openings(folder: Path, count: int) -> list[Opening]:
+    """Open the window on a folder and close it again, so many times.
+
+    It is opened once more before, so that Python has compiled all that it loads: so it is where it was installed.
+    """
+    with tempfile.TemporaryDirectory(prefix="fruitgui-compiled-") as compiled:
+        environment = {**os.environ, "PYTHONPYCACHEPREFIX": compiled}
+        environment.pop("PYTHONDONTWRITEBYTECODE", None)
+        return [opened_and_closed(folder, environment) for _ in range(count + 1)][1:]
+
+
+def opened_and_closed(folder: Path, environment: Mapping[str, str]) -> Opening:
     """Open the window on a folder in a new process, and end it once it is seen."""
     began_s = time.perf_counter()
     command = [sys.executable, "-m", "fruitgui.gui.benchmark.opening", str(folder)]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:  # noqa: S603 - ourselves
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as process:  # noqa: S603
         assert process.stdout is not None  # noqa: S101 - asked for
         said = process.stdout.readline().split()
         shown_s = time.perf_counter()

@@ -12,7 +12,7 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
 
-from fruitgui.gui.pages import MAKERS
+from fruitgui.gui.pages import page_maker
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.school import enrolled, large_class, school
@@ -67,7 +67,7 @@ def empty_room(stage: Stage, step: Step) -> Iterator[Attending]:
 @contextmanager
 def _opened(stage: Stage, step: Step, folder: Path) -> Iterator[Attending]:
     session = Session(open_workspace(folder))
-    pages = {one: MAKERS[one](session, stage.theme) if one is step else StepPage() for one in Step}
+    pages = {one: page_maker(one)(session, stage.theme) if one is step else StepPage() for one in Step}
     window = MainWindow(stage.theme, session.messages, session.tasks, pages)
     session.states_changed.connect(lambda: window.show_states(session.states()))
     window.show_states(session.states())

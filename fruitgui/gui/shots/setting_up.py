@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from fruitgui.gui.pages import MAKERS
+from fruitgui.gui.pages import page_maker
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_sources
 from fruitgui.gui.shots.stage import Stage
@@ -50,7 +50,7 @@ def setting_up(stage: Stage, step: Step, rig: FrozenSource) -> Iterator[SettingU
     with tempfile.TemporaryDirectory(dir=stage.folder) as folder:
         session = Session(open_workspace(Path(folder)), sources=frozen_sources(rig))
         pages: Mapping[Step, StepPage] = {
-            one: MAKERS[one](session, stage.theme) if one is step else StepPage() for one in Step
+            one: page_maker(one)(session, stage.theme) if one is step else StepPage() for one in Step
         }
         window = MainWindow(stage.theme, session.messages, session.tasks, pages)
         session.states_changed.connect(lambda: window.show_states(session.states()))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from math import isfinite, sqrt
@@ -20,7 +20,9 @@ RATE_OVER_S = 120.0
 SHORTEST_S = 10.0
 BINS = 40
 NARROWEST_ML = 20.0
-MOST_VOLUMES = 50_000
+STEP_ML = 0.25
+"""Volumes are counted in steps of this, so that no more is kept of more fruit. Bins are whole steps wide."""
+
 LITRES_PER_M3 = 1e3
 
 
@@ -68,7 +70,7 @@ class Tally:
 
     sums: dict[str, KindSum] = field(default_factory=dict)
     _counted: deque[tuple[float, str]] = field(default_factory=deque)
-    _volumes_ml: dict[str, deque[float]] = field(default_factory=dict)
+    _volumes: dict[str, Counter[int]] = field(default_factory=dict)
     _began_s: float | None = None
 
     @classmethod
@@ -86,14 +88,15 @@ class Tally:
         volume_ml = fruit.volume_m3.value * ML_PER_M3
         mass_kg = None if fruit.mass_kg is None else fruit.mass_kg.value
         self.sums.setdefault(fruit.kind, KindSum()).add(volume_ml, mass_kg)
-        self._volumes_ml.setdefault(fruit.kind, deque(maxlen=MOST_VOLUMES)).append(volume_ml)
+        if isfinite(volume_ml):
+            self._volumes.setdefault(fruit.kind, Counter())[int(volume_ml // STEP_ML)] += 1
+        self._forget(now_s)
         self._counted.append((now_s, fruit.kind))
         self._began_s = now_s if self._began_s is None else self._began_s
 
     def per_minute(self, now_s: float) -> Mapping[str, float]:
         """Return how many fruit of each kind come in a minute, over the last two."""
-        while self._counted and self._counted[0][0] < now_s - RATE_OVER_S:
-            self._counted.popleft()
+        self._forget(now_s)
         began_s = now_s if self._began_s is None else self._began_s
         over_s = min(max(now_s - began_s, SHORTEST_S), RATE_OVER_S)
         rates: dict[str, float] = {}
@@ -103,14 +106,16 @@ class Tally:
 
     def histogram(self) -> Histogram | None:
         """Return the volumes of what was counted since the tally was made, in bins; None before the first."""
-        known = {kind: np.fromiter(values, float) for kind, values in self._volumes_ml.items() if values}
-        if not known:
+        if not self._volumes:
             return None
-        low, high = round_ends(np.concatenate(list(known.values())))
-        counts = {
-            kind: np.histogram(np.clip(values, low, high), BINS, (low, high))[0] for kind, values in known.items()
-        }
-        return Histogram(low, high, counts)
+        together: Counter[int] = sum(self._volumes.values(), Counter())
+        low, high = round_ends(*_steps(together))
+        return Histogram(low, high, {kind: _binned(counts, low, high) for kind, counts in self._volumes.items()})
+
+    def _forget(self, now_s: float) -> None:
+        """Let go of what is too long ago to count for a rate."""
+        while self._counted and self._counted[0][0] < now_s - RATE_OVER_S:
+            self._counted.popleft()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -122,12 +127,25 @@ class Histogram:
     counts: Mapping[str, Ints]
 
 
-def round_ends(volumes_ml: F64) -> tuple[float, float]:
-    """Return round ends between which nearly all volumes lie."""
-    low, high = (float(value) for value in np.quantile(volumes_ml, [0.005, 0.995]))
+def round_ends(volumes_ml: F64, counts: Ints) -> tuple[float, float]:
+    """Return round ends between which nearly all of so many fruit (N,) of each volume (N,), in order, lie."""
+    share = np.cumsum(counts) / counts.sum()
+    low, high = (float(volumes_ml[np.searchsorted(share, part)]) for part in (0.005, 0.995))
     middle, half = (low + high) / 2.0, max((high - low) * 0.6, NARROWEST_ML)
     step = 10.0 if half < 150.0 else 50.0
     return max(float(np.floor((middle - half) / step)) * step, 0.0), float(np.ceil((middle + half) / step)) * step
+
+
+def _steps(counts: Counter[int]) -> tuple[F64, Ints]:
+    """Return the volumes (N,) at the middles of all steps that hold fruit, in order, and how many each holds (N,)."""
+    steps = sorted(counts)
+    return (np.array(steps) + 0.5) * STEP_ML, np.array([counts[step] for step in steps], dtype=np.intp)
+
+
+def _binned(counts: Counter[int], low_ml: float, high_ml: float) -> Ints:
+    """Return how many fruit (`BINS`,) are in each bin; what lies beyond the ends is in the outermost."""
+    volumes_ml, fruit = _steps(counts)
+    return np.histogram(np.clip(volumes_ml, low_ml, high_ml), BINS, (low_ml, high_ml), weights=fruit)[0].astype(np.intp)
 
 
 def _sum_of(total: KindTotal) -> KindSum:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
-from fruitgui.gui.pages import MAKERS
+from fruitgui.gui.pages import page_maker
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.made_lots import DAY_S, GROWERS, NOW_S, run_lot
 from fruitgui.gui.shots.stage import Scene, Stage
@@ -87,7 +87,7 @@ def _window(stage: Stage, fill: Callable[[Store, _Clock], None] | None) -> Itera
                 fill(store, clock)
         session = Session(open_workspace(Path(folder)))
         pages: Mapping[Step, StepPage] = {
-            one: MAKERS[one](session, stage.theme) if one is Step.LOTS else StepPage() for one in Step
+            one: page_maker(one)(session, stage.theme) if one is Step.LOTS else StepPage() for one in Step
         }
         window = MainWindow(stage.theme, session.messages, session.tasks, pages)
         window.show_states(session.states())

@@ -1,0 +1,65 @@
+"""Screens are made when they are wanted, and all of them soon after the first painting."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from fruitgui.gui.pages import PageMaking, Pages
+from fruitgui.gui.session import Session
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.window import MainWindow
+from fruitgui.station.workflow import Step
+
+
+def test_a_screen_is_made_once_when_it_is_first_wanted(qtbot: QtBot, session: Session, theme: Theme) -> None:
+    pages = Pages(session, theme)
+    window = MainWindow(theme, session.messages, session.tasks, pages)
+    qtbot.addWidget(window)
+    assert not pages._made
+    window.go_to(Step.TRAIN)
+    assert list(pages._made) == [Step.TRAIN]
+    assert window.page(Step.TRAIN) is pages[Step.TRAIN]
+    seen = []
+    for at, wanted in ((Step.TRAIN, Step.LIVE), (Step.LIVE, Step.TRAIN)):
+        window.page(at).step_wanted.emit(wanted)
+        seen.append(window.step)
+    assert seen == [Step.LIVE, Step.TRAIN]
+    assert list(pages._made) == [Step.TRAIN, Step.LIVE]
+
+
+def test_all_screens_are_made_after_the_first_painting(qtbot: QtBot) -> None:
+    window, made = QWidget(), list[Step]()
+    qtbot.addWidget(window)
+    making = PageMaking(window, made.append)
+    qtbot.wait(0)
+    assert not made
+    with qtbot.waitSignal(making.done, timeout=60_000):
+        window.show()
+    assert made == list(Step)
+    making.stop()
+
+
+def test_no_more_are_made_once_it_is_stopped(qtbot: QtBot) -> None:
+    window, made = QWidget(), list[Step]()
+    qtbot.addWidget(window)
+    making = PageMaking(window, made.append)
+    with qtbot.waitExposed(window):
+        window.show()
+    qtbot.waitUntil(lambda: len(made) > 0, timeout=60_000)
+    making.stop()
+    before = len(made)
+    qtbot.wait(200)
+    assert len(made) == before
+
+
+def test_the_window_loads_no_screen_before_one_is_wanted() -> None:
+    told = (
+        "import sys, fruitgui.gui.app\n"
+        "print([one for one in sys.modules if one.startswith('fruitgui.gui.steps') and one.endswith('.page')])"
+    )
+    said = subprocess.run([sys.executable, "-c", told], capture_output=True, text=True, check=True)
+    assert said.stdout.strip() == "['fruitgui.gui.steps.page']"
