@@ -62,8 +62,8 @@ class Application(QObject):
         self._dress(self.session.settings)
         pages = Pages(self.session, self.theme)
         self.window = MainWindow(self.theme, self.session.messages, self.session.tasks, pages, self._close)
-        self._page_making = PageMaking(self.window, self.window.page, self)
-        self._page_making.done.connect(self._collector.leave_out)
+        self.page_making = PageMaking(self.window, self.window.page, self)
+        self.page_making.done.connect(self._collector.leave_out)
         self._health = HealthWatch(self.session, self.window.top_bar, self)
         self._housekeeping = Housekeeping(self.session, self)
         self._giving_back = GivingBack(self)
@@ -99,7 +99,7 @@ class Application(QObject):
 
     def _close(self) -> bool:
         """End all that runs; it was saved as it came, or is now."""
-        self._page_making.stop()
+        self.page_making.stop()
         self._housekeeping.stop()
         self._health.stop()
         self._giving_back.stop()

@@ -109,6 +109,11 @@ class PageMaking(QObject):
             self._between.start()
         return False
 
+    @property
+    def finished(self) -> bool:
+        """Whether every screen is there."""
+        return not self._wanted
+
     def stop(self) -> None:
         """Make no more."""
         self._stopped.set()
