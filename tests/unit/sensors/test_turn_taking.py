@@ -281,9 +281,10 @@ def test_dark_sensors_are_heard_to_die() -> None:
         until(lambda: feed.health(dark.info.sensor).state is Running.FAILED, LONG_S)
 
 
-def unchanged(seen: list[Arrival]) -> list[Arrival]:
-    """Return what came while others shone as they did a frame before: one that comes as they change may be of before."""
-    return [one for before, one in pairwise(seen) if before.lit.others == one.lit.others]
+def unchanged(seen: list[Arrival], sensor: str) -> list[Arrival]:
+    """Return a sensor's frames while others shone as a frame before: one that comes as they change is of both."""
+    own = [one for one in seen if one.frame.sensor == sensor]
+    return [one for before, one in pairwise(own) if before.lit.others == one.lit.others]
 
 
 def test_a_rehearsal_hears_everything_and_nobody_else_does() -> None:
@@ -303,9 +304,7 @@ def test_a_rehearsal_hears_everything_and_nobody_else_does() -> None:
             assert queue.waiting == 0
         until(lambda: len(room.lit()) < 2, LONG_S)
         assert len(frames(queue, 6)) == 6
-    settled = [
-        one for name in ("left", "right") for one in unchanged([each for each in seen if each.frame.sensor == name])
-    ]
+    settled = unchanged(seen, "left") + unchanged(seen, "right")
     together = [holes(one.frame.depth_mm) for one in settled if one.lit.others and one.lit.since_s > 0.25]
     apart = [holes(one.frame.depth_mm) for one in settled if not one.lit.others and one.lit.since_s > 0.25]
     assert min(len(together), len(apart)) > 10
