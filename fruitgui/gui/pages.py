@@ -114,6 +114,11 @@ class PageMaking(QObject):
         """Whether every screen is there."""
         return not self._wanted
 
+    @property
+    def running(self) -> bool:
+        """Whether it loads or makes one more."""
+        return self._between.isActive() or self._thread.is_alive()
+
     def stop(self) -> None:
         """Make no more."""
         self._stopped.set()

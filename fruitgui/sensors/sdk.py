@@ -129,7 +129,7 @@ class SdkSensor:
     def start(self) -> None:
         """Take the device and begin to capture. Raises `WorldError` where it cannot be had."""
         camera = self._taken()
-        with contextlib.ExitStack() as undo, self._in_words():
+        with self._in_words(), contextlib.ExitStack() as undo:
             undo.callback(camera.stop)
             self._opened = camera.start()
             undo.pop_all()

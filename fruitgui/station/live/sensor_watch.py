@@ -9,8 +9,6 @@ from fruitgui.station.live.above import FromAbove
 from fruitgui.station.live.blind import Blind, blind_part, blind_words
 
 LOOK_S = 0.2
-SAID_AFTER_S = 2.0
-"""A sensor that is back sooner was late, as on a busy computer; what it does not see is shown all the same."""
 
 
 class SensorWatch:
@@ -38,8 +36,7 @@ class SensorWatch:
         self._counts_as_away = away
         self._warn = warn
         self._looked_s = 0.0
-        self._since_s: dict[str, float] = {}
-        self._said: frozenset[str] = frozenset()
+        self._away: tuple[str, ...] = ()
         self._blinded: dict[str, tuple[str, ...]] = {}
         self.blind: Blind | None = None
 
@@ -49,7 +46,7 @@ class SensorWatch:
             return
         self._looked_s = now_s
         seen = {name: health(sensor) for sensor, name in self._station_id.items()}
-        self._see_away(tuple(name for name, one in seen.items() if self._is_away(one)), now_s)
+        self._see_away(tuple(name for name, one in seen.items() if self._is_away(one)))
         for name, one in seen.items():
             self._see_blinded(name, one)
 
@@ -57,14 +54,10 @@ class SensorWatch:
         silence_tells = Running.SILENT in self._counts_as_away
         return health.state in self._counts_as_away or (health.hangs and silence_tells)
 
-    def _see_away(self, away: tuple[str, ...], now_s: float) -> None:
+    def _see_away(self, away: tuple[str, ...]) -> None:
+        before, self._away = self._away, away
         self.blind = self._blind(away)
-        self._since_s = {name: self._since_s.get(name, now_s) for name in away}
-        before, self._said = self._said, self._said & frozenset(away)
-        if self.blind is None:
-            return
-        self._said |= {name for name, since_s in self._since_s.items() if now_s - since_s >= SAID_AFTER_S}
-        if not self._said <= before:
+        if self.blind is not None and not set(away) <= set(before):
             code = "part_blind" if self.blind.loses_fruit else "sensor_away"
             self._warn(code, blind_words(self.blind), away)
 

@@ -1,4 +1,4 @@
-"""When the line says that a sensor is away: shown at once, in words only once it lasts."""
+"""When the line says that a sensor is away."""
 
 from __future__ import annotations
 
@@ -7,21 +7,22 @@ from typing import cast
 
 from fruitgui.sensors.feed.health import Running, SensorHealth
 from fruitgui.station.live.above import FromAbove
-from fruitgui.station.live.sensor_watch import LOOK_S, SAID_AFTER_S, SensorWatch
+from fruitgui.station.live.intake import LIVE, PLAYED
+from fruitgui.station.live.sensor_watch import LOOK_S, SensorWatch
 from tests.unit.station.test_blind import LEFT_RIGHT
 
 
 class Watched:
     """Two sensors whose states a test sets, and what was said of them."""
 
-    def __init__(self) -> None:
+    def __init__(self, away: tuple[Running, ...] = LIVE.away) -> None:
         above = cast("FromAbove", SimpleNamespace(footprints_m=LEFT_RIGHT, along=True))
         self.said: list[tuple[str, tuple[str, ...]]] = []
         self.state = dict.fromkeys(LEFT_RIGHT, Running.RUNNING)
         self.watch = SensorWatch(
             {name: name for name in LEFT_RIGHT},
             above,
-            {Running.SILENT, Running.FAILED},
+            away,
             lambda code, _, sensors: self.said.append((code, sensors)),
         )
         self._now_s = 100.0
@@ -36,38 +37,36 @@ class Watched:
             self.look()
 
 
-def test_what_is_not_seen_is_shown_at_once_and_said_once_it_lasts() -> None:
+def test_one_that_is_away_is_named_at_once_and_once() -> None:
     watched = Watched()
     watched.look()
     watched.state["right"] = Running.FAILED
     watched.look()
     assert watched.watch.blind is not None
     assert watched.watch.blind.sensors == ("right",)
-    assert watched.said == []
-    watched.look_for(SAID_AFTER_S + 2 * LOOK_S)
     watched.look_for(10.0)
     assert watched.said == [("part_blind", ("right",))]
 
 
-def test_one_that_is_only_late_now_and_then_is_not_called_away() -> None:
-    watched = Watched()
-    for _ in range(10):
-        watched.state["right"] = Running.SILENT
-        watched.look_for(SAID_AFTER_S / 2)
-        watched.state["right"] = Running.RUNNING
-        watched.look()
-        assert watched.watch.blind is None
+def test_one_whose_silence_tells_nothing_is_not_called_away() -> None:
+    watched = Watched(away=PLAYED.away)
+    watched.state["right"] = Running.SILENT
+    watched.look_for(10.0)
+    assert watched.watch.blind is None
     assert watched.said == []
+    watched.state["right"] = Running.FAILED
+    watched.look()
+    assert watched.said == [("part_blind", ("right",))]
 
 
 def test_one_that_goes_away_again_or_while_another_is_away_is_said_anew() -> None:
     watched = Watched()
     watched.state["right"] = Running.SILENT
-    watched.look_for(SAID_AFTER_S + 2 * LOOK_S)
+    watched.look()
     watched.state["left"] = Running.SILENT
-    watched.look_for(SAID_AFTER_S + 2 * LOOK_S)
+    watched.look()
     watched.state = dict.fromkeys(LEFT_RIGHT, Running.RUNNING)
     watched.look()
     watched.state["right"] = Running.SILENT
-    watched.look_for(SAID_AFTER_S + 2 * LOOK_S)
+    watched.look()
     assert [sorted(sensors) for _, sensors in watched.said] == [["right"], ["left", "right"], ["right"]]
