@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 
 from fruitgui.sensors.feed import Running, SensorHealth
+from fruitgui.sensors.sensor import SensorTimeoutError
 from fruitgui.station.live.above import FromAbove
 from fruitgui.station.live.blind import Blind, blind_part, blind_words
 
@@ -51,8 +52,10 @@ class SensorWatch:
             self._see_blinded(name, one)
 
     def _is_away(self, health: SensorHealth) -> bool:
-        silence_tells = Running.SILENT in self._counts_as_away
-        return health.state in self._counts_as_away or (health.hangs and silence_tells)
+        if Running.SILENT in self._counts_as_away:
+            return health.state in self._counts_as_away or health.hangs
+        # One that is opened again after a long silence has failed by silence, which tells nothing.
+        return health.state in self._counts_as_away and not isinstance(health.error, SensorTimeoutError)
 
     def _see_away(self, away: tuple[str, ...]) -> None:
         before, self._away = self._away, away

@@ -5,7 +5,9 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import cast
 
+from fruitgui.errors import FruitguiError, WorldError
 from fruitgui.sensors.feed.health import Running, SensorHealth
+from fruitgui.sensors.sensor import SensorTimeoutError
 from fruitgui.station.live.above import FromAbove
 from fruitgui.station.live.intake import LIVE, PLAYED
 from fruitgui.station.live.sensor_watch import LOOK_S, SensorWatch
@@ -19,6 +21,7 @@ class Watched:
         above = cast("FromAbove", SimpleNamespace(footprints_m=LEFT_RIGHT, along=True))
         self.said: list[tuple[str, tuple[str, ...]]] = []
         self.state = dict.fromkeys(LEFT_RIGHT, Running.RUNNING)
+        self.error: dict[str, FruitguiError] = {}
         self.watch = SensorWatch(
             {name: name for name in LEFT_RIGHT},
             above,
@@ -29,7 +32,7 @@ class Watched:
 
     def look(self) -> None:
         self._now_s += LOOK_S
-        self.watch.look(lambda name: SensorHealth(name, self.state[name]), self._now_s)
+        self.watch.look(lambda name: SensorHealth(name, self.state[name], self.error.get(name)), self._now_s)
 
     def look_for(self, span_s: float) -> None:
         until_s = self._now_s + span_s
@@ -52,9 +55,11 @@ def test_one_whose_silence_tells_nothing_is_not_called_away() -> None:
     watched = Watched(away=PLAYED.away)
     watched.state["right"] = Running.SILENT
     watched.look_for(10.0)
+    watched.state["right"], watched.error["right"] = Running.FAILED, SensorTimeoutError("right", 4.0)
+    watched.look_for(10.0)
     assert watched.watch.blind is None
     assert watched.said == []
-    watched.state["right"] = Running.FAILED
+    watched.error["right"] = WorldError("recording_damaged", "Its file is damaged.", "Record again.")
     watched.look()
     assert watched.said == [("part_blind", ("right",))]
 
