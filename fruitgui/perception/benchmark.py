@@ -38,14 +38,14 @@ class PerceptionBenchmark:
 
 
 def crowded_frame(fruit: int = 28, touching: float = 0.0) -> tuple[Frame, Surface]:
-    """Return the first simulated frame in which at least so many fruit are seen, and the belt in it."""
+    """Return the first simulated frame that shows each of so many fruit, and the belt in it."""
     from fruitgui.simulation.scenes import still_scene
 
     for seed in range(20):
-        scene = still_scene(seed, "opposed", fruit + 4, captures=1, touching=touching)
+        scene = still_scene(seed, "opposed", fruit, captures=1, touching=touching)
         for frame in scene.frames():
             surface = scene.truth.surfaces[frame.sensor]
-            if len(Perceiver(frame.sensor, frame.intrinsics, surface).observe(frame, 0.0).views) >= fruit:
+            if len(Perceiver(frame.sensor, frame.intrinsics, surface).observe(frame, 0.0).views) == fruit:
                 return frame, surface
     raise RuntimeError(f"no simulated frame shows {fruit} fruit")
 

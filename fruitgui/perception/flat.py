@@ -70,8 +70,7 @@ class FlatFinder:
     def __init__(self, limits: DepthLimits, settings: PerceptionSettings) -> None:
         self._limits = limits
         self._settings = settings
-        rows, columns = half_of(*limits.shape)
-        self._shape = ((rows + 1) // 2, (columns + 1) // 2)
+        self._shape = half_of(*half_of(*limits.shape))
         slope = np.maximum(limits.slope, 1e-3)
         self._slope = self._cells(limits.slope)
         self._tall_mm = self._cells((1e3 * (limits.offset_m - TALL_M) / slope).astype(np.uint16))
@@ -89,7 +88,7 @@ class FlatFinder:
         """
         standing, labels = self._cells(groups.standing_mm), self._cells(groups.labels)
         seen, tall = labels > 0, (standing > 0) & (standing < self._tall_mm)
-        unlike = self._unlike(calm[::2, ::2], seen)
+        unlike = self._unlike(self._thinned(calm), seen)
         marked = unlike.view(np.uint8)
         count, patches, stats, _ = cv2.connectedComponentsWithStats(marked, connectivity=8, ltype=cv2.CV_16U)
         area = stats[:, cv2.CC_STAT_AREA]
@@ -101,7 +100,7 @@ class FlatFinder:
         if not wanted.any():
             return groups
         depth = depth_mm[self._limits.crop]
-        patches = np.where(wanted[patches], patches, np.uint16(0))
+        patches = np.where(wanted, np.arange(count), 0).astype(np.uint16).take(patches)
         wanted = self._rises(patches, count, unlike | seen, self._cells(depth))
         things = [_outline(*self._fine(patches, number, stats[number])) for number in np.flatnonzero(wanted).tolist()]
         return _with_flat(groups, things, depth, np.unique(labels[tall & seen])) if things else groups
@@ -110,9 +109,15 @@ class FlatFinder:
         rows, columns = self._shape
         return np.ascontiguousarray(picture[::CELL, ::CELL][:rows, :columns])
 
+    def _thinned(self, calm: U8) -> U8:
+        """Return every second pixel and row of a calm picture: the cells' colours."""
+        rows, columns = self._shape
+        # OpenCV's copy of the nearest takes a fifth of the time of numpy's of a view with steps.
+        return np.asarray(cv2.resize(calm[: 2 * rows, : 2 * columns], (columns, rows), interpolation=cv2.INTER_NEAREST))
+
     def _unlike(self, cells: U8, seen: Bools) -> Bools:
         """Return where (h, w) the colour is not the belt's."""
-        logs = cv2.LUT(np.ascontiguousarray(cells), LOGARITHM)
+        logs = cv2.LUT(cells, LOGARITHM)
         bare = np.flatnonzero((self._reach & ~seen)[::3, ::3])
         if len(bare) < 16:
             return np.zeros(self._shape, dtype=bool)
@@ -156,7 +161,7 @@ class FlatFinder:
     def _means(self, patches: U16, count: int, depth_mm: U16) -> tuple[Ints, F64, F64]:
         """Return for each patch how many of its cells have a sound reading, and their mean height and distance."""
         found = np.flatnonzero(patches)
-        number = patches.reshape(-1).take(found)
+        number = patches.reshape(-1).take(found).astype(np.intp)
         z_m = depth_mm.reshape(-1).take(found) * np.float32(1e-3)
         height_m = np.float32(self._limits.offset_m) - self._slope.reshape(-1).take(found) * z_m
         read = ((z_m > 0) & (np.abs(height_m) < _HIGHEST_M)).astype(np.float32)

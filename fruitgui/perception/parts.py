@@ -84,15 +84,13 @@ def with_parts(groups: Groups, cuts: dict[int, list[Contour]]) -> Parts:
     for number in cuts:
         cv2.drawContours(labels, [found.pop(number)], 0, 0, cv2.FILLED)
     moved = [(number, found.pop(number)) for number in list(found) if number >= count] + pieces
-    came_from = {number: number for number in found}
+    group, boxes = list(range(count)), list(groups.boxes[:count]) + [(0, 0, 0, 0)] * (count - len(groups.boxes))
     for new, (number, contour) in zip([new for new in range(count) if new not in found], moved, strict=True):
         cv2.drawContours(labels, [contour], 0, new + 1, cv2.FILLED)
-        found[new], came_from[new] = contour, number
-    group = np.array([came_from[number] for number in range(count)], dtype=np.intp)
-    contours = tuple(found[number] for number in range(count))
-    boxes = tuple(cv2.boundingRect(contour) for contour in contours)
-    shared = np.array([number in cuts for number in group.tolist()], dtype=bool)
-    return Parts(labels, contours, boxes, group, shared, groups.rails)
+        found[new], group[new], boxes[new] = contour, number, cv2.boundingRect(contour)
+    contours = tuple([found[number] for number in range(count)])
+    shared = np.array([number in cuts for number in group], dtype=bool)
+    return Parts(labels, contours, tuple(boxes), np.array(group, dtype=np.intp), shared, groups.rails)
 
 
 def part_contours(parts: U8, corner: tuple[int, int], least_px: float) -> list[Contour]:

@@ -88,10 +88,12 @@ class HeightSplitter:
     def _doubtful(self, relief: Relief, tops: Tops) -> list[int]:
         """Return the groups that have a top from which no straight way leads to the group's highest without a dip."""
         highest = tops.highest()
-        saddle, neck = lowest_between((relief.height_m, relief.wide_px), tops.place, tops.place[highest])
-        narrower_px = np.minimum(tops.wide_px, tops.wide_px[highest])
-        apart = self._score(tops.height_m, narrower_px, tops.height_m - saddle, narrower_px - neck) >= 1.0
-        return sorted(set(tops.group[apart].tolist()))
+        others = np.flatnonzero(highest != np.arange(len(highest)))
+        highest = highest[others]
+        saddle, neck = lowest_between((relief.height_m, relief.wide_px), tops.place[others], tops.place[highest])
+        top_m, narrower_px = tops.height_m[others], np.minimum(tops.wide_px[others], tops.wide_px[highest])
+        apart = self._score(top_m, narrower_px, top_m - saddle, narrower_px - neck) >= 1.0
+        return sorted(set(tops.group[others[apart]].tolist()))
 
     def _clusters(self, relief: Relief, tops: Tops) -> Ints:
         """Return for every top of one group the number of the fruit it belongs to.

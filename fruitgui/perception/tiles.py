@@ -69,32 +69,34 @@ def laid_out(boxes: Sequence[Box], shape: tuple[int, int], gap: int = 1, steps: 
     are moved by multiples of `steps` (rows, columns): every so manieth pixel of the picture is one of the mosaic.
     """
     (rows, columns), (down, across) = shape, steps
-    corners, rooms = [], []
-    for left, top, width, height in boxes:
-        x, y = max(left - 1, 0) // across * across, max(top - 1, 0) // down * down
-        right, below = min(left + width + 1, columns), min(top + height + 1, rows)
-        corners.append((x, y, right, below))
-        rooms.append((-(-(right - x + gap) // across) * across, -(-(below - y + gap) // down) * down))
+    left, top, width, height = np.array(boxes, dtype=np.intp).T
+    x, y = np.maximum(left - 1, 0) // across * across, np.maximum(top - 1, 0) // down * down
+    right, below = np.minimum(left + width + 1, columns), np.minimum(top + height + 1, rows)
+    wide, tall = -((x - right - gap) // across) * across, -((y - below - gap) // down) * down
     first_left, first_top = -(-gap // across) * across, -(-gap // down) * down
-    widest = first_left + max(max(wide for wide, _ in rooms), int(sum(wide * tall for wide, tall in rooms) ** 0.5))
-    shifts = [(0, 0)] * len(rooms)
-    left, top, shelf = first_left, first_top, 0
-    for number in sorted(range(len(rooms)), key=lambda number: -rooms[number][1]):
-        wide, tall = rooms[number]
-        if left + wide > widest:
-            left, top, shelf = first_left, top + shelf, 0
-        shifts[number] = (left - corners[number][0], top - corners[number][1])
-        left, shelf = left + wide, max(shelf, tall)
+    widest = first_left + max(int(wide.max()), int((wide * tall).sum() ** 0.5))
+    corners, bottom = _shelved(wide.tolist(), tall.tolist(), (first_left, first_top), widest)
+    shifts = corners - np.stack([x, y], axis=1)
+    sources = np.stack([x, y, right, below], axis=1)
+    at_border = (x == 0) | (y == 0) | (right == columns) | (below == rows)
     return Tiles(
-        tuple([(slice(y, below), slice(x, right)) for x, y, right, below in corners]),
-        tuple([
-            (slice(y + dy, below + dy), slice(x + dx, right + dx))
-            for (x, y, right, below), (dx, dy) in zip(corners, shifts, strict=True)
-        ]),
-        np.array(shifts, dtype=np.intp),
-        (top + shelf, widest),
-        tuple([
-            number for number, (x, y, right, below) in enumerate(corners)
-            if x == 0 or y == 0 or right == columns or below == rows
-        ]),
+        _places(sources), _places(sources + np.tile(shifts, 2)), shifts,
+        (bottom, widest), tuple(np.flatnonzero(at_border).tolist()),
     )  # fmt: skip
+
+
+def _shelved(wide: list[int], tall: list[int], first: tuple[int, int], widest: int) -> tuple[Ints, int]:
+    """Return the left and top (N, 2) of rectangles put on shelves, the tallest first, and where the last shelf ends."""
+    corners = np.zeros((len(wide), 2), dtype=np.intp)
+    (left, top), shelf = first, 0
+    for number in sorted(range(len(wide)), key=lambda number: -tall[number]):
+        if left + wide[number] > widest:
+            left, top, shelf = first[0], top + shelf, 0
+        corners[number] = left, top
+        left, shelf = left + wide[number], max(shelf, tall[number])
+    return corners, top + shelf
+
+
+def _places(sides: Ints) -> tuple[Place, ...]:
+    """Return rows and columns of rectangles (N, 4: left, top, right, bottom)."""
+    return tuple([(slice(top, bottom), slice(left, right)) for left, top, right, bottom in sides.tolist()])

@@ -153,11 +153,12 @@ class Tracker:
         late = seen.time_s < self._time_s
         self._filter.predict(seen.time_s - self._time_s, belt.advance(seen.time_s))
         self._time_s = seen.time_s
+        looks = np.array([trail.looks for trail in self._trails])
         if len(seen) and self._trails and not late:
             variance = variances(self._filter.position_covariance_m2)
-            missed = belt.correct(self._filter.position_m, variance, self._looks(), self._steady(), seen)
+            missed = belt.correct(self._filter.position_m, variance, looks, self._steady(), seen)
             self._filter.shift(missed)
-        claims = self._claims(seen)
+        claims = self._claims(seen, looks)
         for track in claims.strayed:
             self._filter.loosen(track, speed_m_s=0.3, displacement_m=0.03)
         self._filter.update(claims.tracks, claims.views, claims.seen)
@@ -165,16 +166,14 @@ class Tracker:
         self._add(claims, belt.travelled_m())
         return self._close()
 
-    def _looks(self) -> F64:
-        return np.array([trail.looks for trail in self._trails])
-
     def _steady(self) -> Bools:
         """Tell which tracks can say how the belt moved: seen lately, and not only cut by an edge."""
         lately = np.array([trail.unseen < 5 for trail in self._trails], dtype=bool)
         clear = np.array([trail.clear > 0 for trail in self._trails], dtype=bool)
         return lately & clear if (lately & clear).any() else lately
 
-    def _claims(self, seen: Measured) -> Claims:
+    def _claims(self, seen: Measured, looks: F64) -> Claims:
+        """Return which view belongs to which track, whose looks (n, 5) are given."""
         none = np.zeros(0, dtype=np.intp)
         if not len(seen) or not self._trails:
             return Claims(none, none, seen)
@@ -182,7 +181,7 @@ class Tracker:
         residual, S = self._filter.innovations(tracks, views, seen)
         S = S + self._mode.model_std_m**2 * _EYE
         squared = np.einsum("ki,ki->k", residual, np.linalg.solve(S, residual[:, :, None])[:, :, 0])
-        unlike = look_distance(self._looks(), seen.looks)[tracks, views]
+        unlike = look_distance(looks, seen.looks)[tracks, views]
         taken = self._mode.association.match(Pairs(tracks, views, squared, unlike, apart))
         claims = Claims(tracks[taken], views[taken], seen)
         return self._look_again(claims, self._filter.position_m, self._trails)
