@@ -1,248 +1,69 @@
-"""A process beside the line that perceives frames and measures tracks; without it the line does so itself."""
+"""The processes beside the line: as many as there are cores, so that the line's own process has its hands free.
+
+What a thread of the line's own process works on in Python keeps the window waiting for the interpreter's lock. So
+frames are perceived and tracks measured beside it, and the line waits where all helpers are busy; only where there
+are none, or none yet, it works itself.
+"""
 
 from __future__ import annotations
 
-import contextlib
-import multiprocessing
-import pickle
-import queue
-import signal
 import threading
-from collections.abc import Mapping
 from concurrent.futures import Future
-from dataclasses import dataclass
-from multiprocessing.connection import Connection
 from typing import Any
 
-from fruitgui.errors import FruitguiError, WorldError
-from fruitgui.frame import Frame
-from fruitgui.geometry.rig import Rig
-from fruitgui.perception.view import Observation
-from fruitgui.station.crew import Eye
-from fruitgui.station.judging import Judge, Judgement
-from fruitgui.station.model import Model
-from fruitgui.tracking.track import Track
+from fruitgui.station.crew import usable_cores
+from fruitgui.station.live.helper import HANDED, Hands, Helper, Look, Weigh
 
-HANDED = 2
-"""Jobs that lie with the process: it has work while its last answer is taken in."""
-
-LEAVE_S = 2.0
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Hands:
-    """What can do the work, anywhere: one pair for each thread or process."""
-
-    eyes: Mapping[str, Eye]
-    rig: Rig
-    model: Model | None
-
-    def worker(self) -> Worker:
-        """Return a worker; everything that does not depend on the work is worked out here, once."""
-        return Worker(self)
-
-
-class Worker:
-    """Perceives and measures, one thing at a time."""
-
-    def __init__(self, hands: Hands) -> None:
-        self._perceivers = {sensor: eye.perceiver() for sensor, eye in hands.eyes.items()}
-        self._names = {sensor: eye.sensor for sensor, eye in hands.eyes.items()}
-        self._judge = Judge(hands.rig, hands.model)
-
-    def do(self, job: Look | Weigh) -> Observation | Judgement:
-        """Return what comes of a job."""
-        return self.look(job) if isinstance(job, Look) else self.weigh(job)
-
-    def look(self, job: Look) -> Observation:
-        """Return what is seen in a frame."""
-        frame = job.frame
-        named = Frame(
-            self._names[frame.sensor], frame.sequence, frame.time_s, frame.color, frame.depth_mm, frame.intrinsics
-        )
-        return self._perceivers[frame.sensor].observe(named, job.time_s)
-
-    def weigh(self, job: Weigh) -> Judgement:
-        """Return what a track is and how large."""
-        return self._judge.judge(job.track)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Look:
-    """A frame to perceive, and its time in the reference clock."""
-
-    frame: Frame
-    time_s: float
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Weigh:
-    """A track to measure and to name."""
-
-    track: Track
-
-
-class HelperLostError(WorldError):
-    """The process is gone; who asked does the work itself."""
-
-    def __init__(self) -> None:
-        super().__init__("helper_lost", "The helping process has ended.", "The line goes on without it.")
+MOST_HELPERS = 3
+"""Eight sensors at their rate need no more; each takes a tenth of a gigabyte of memory."""
 
 
 class Bench:
-    """Hands jobs to a process of its own. Any thread may ask; one owner starts and closes."""
+    """Hands jobs to whoever has the fewest. Any thread may ask; one owner starts and closes.
 
-    def __init__(self, hands: Hands) -> None:
-        self._hands = hands
-        self._jobs: queue.Queue[tuple[Look | Weigh, Future[Any]] | None] = queue.Queue()
-        self._asked: queue.Queue[Future[Any]] = queue.Queue()
-        self._lock = threading.Lock()
-        self._outstanding = 0
-        self._up = self._lost = False
-        self._process: Any = None
-        self._pipe: Connection | None = None
-        self._threads: tuple[threading.Thread, ...] = ()
+    Args:
+        hands: what the helpers work with.
+        helpers: how many there are to be; one for each core, up to three, unless given.
+    """
+
+    def __init__(self, hands: Hands, helpers: int | None = None) -> None:
+        count = min(usable_cores(), MOST_HELPERS) if helpers is None else helpers
+        self._room = threading.Condition()
+        self._helpers = tuple(Helper(hands, self._tell) for _ in range(count))
 
     def start(self) -> None:
-        """Start the process; where none is to be had, all goes on without."""
-        context = multiprocessing.get_context("spawn")
-        try:
-            self._pipe, theirs = context.Pipe()
-            self._process = context.Process(target=work, args=(self._hands, theirs), daemon=True)
-            self._process.start()
-        except OSError:
-            self._lost = True
-            return
-        theirs.close()
-        self._threads = tuple(
-            threading.Thread(target=run, name=f"bench {run.__name__}", daemon=True)
-            for run in (self._send_all, self._receive_all)
-        )
-        for thread in self._threads:
-            thread.start()
+        """Start the helpers."""
+        for helper in self._helpers:
+            helper.start()
 
     @property
     def idle(self) -> bool:
-        """Whether the process is up and has nothing to do."""
-        return self._up and not self._lost and self._outstanding == 0
+        """Whether a helper is up and has nothing to do."""
+        return any(helper.works and helper.outstanding == 0 for helper in self._helpers)
 
     def ask(self, job: Look | Weigh, most: int = HANDED) -> Future[Any] | None:
-        """Hand a job over; None where the process is not up, gone, or has `most` jobs already."""
-        with self._lock:
-            if not self._up or self._lost or self._outstanding >= most:
-                return None
-            self._outstanding += 1
-        answer: Future[Any] = Future()
-        self._jobs.put((job, answer))
-        return answer
+        """Hand a job over; None where no helper is up, or all have `most` jobs already."""
+        for helper in sorted(self._helpers, key=lambda helper: helper.outstanding):
+            answer = helper.ask(job, most)
+            if answer is not None:
+                return answer
+        return None
+
+    def hand(self, job: Look | Weigh) -> Future[Any] | None:
+        """Hand a job over as soon as a helper has room for it; None where none is up."""
+        with self._room:
+            while any(helper.works for helper in self._helpers):
+                answer = self.ask(job)
+                if answer is not None:
+                    return answer
+                self._room.wait()
+        return None
 
     def close(self) -> None:
-        """End the process; what it left undone fails with `HelperLostError`. Any number of times."""
-        self._give_up()
-        self._jobs.put(None)
-        if self._process is not None and self._process.pid is not None:
-            self._process.terminate()
-            self._process.join(LEAVE_S)
-        for thread in self._threads:
-            thread.join(LEAVE_S)
-        if self._pipe is not None:
-            self._pipe.close()
+        """End the helpers; what they left undone fails with `HelperLostError`. Any number of times."""
+        for helper in self._helpers:
+            helper.close()
 
-    def _send_all(self) -> None:
-        pipe = self._pipe
-        assert pipe is not None  # noqa: S101 - opened before this thread was started
-        while (asked := self._jobs.get()) is not None:
-            job, answer = asked
-            self._asked.put(answer)
-            try:
-                send(pipe, job)
-            except OSError:
-                self._give_up()
-            if self._lost:
-                self._fail_all()
-
-    def _receive_all(self) -> None:
-        pipe = self._pipe
-        assert pipe is not None  # noqa: S101 - opened before this thread was started
-        try:
-            pipe.recv()
-            self._up = True
-            while True:
-                done, error = receive(pipe)
-                self._settle(self._asked.get_nowait(), done, error)
-        except (EOFError, OSError, queue.Empty):
-            self._give_up()
-            self._fail_all()
-
-    def _settle(self, answer: Future[Any], done: object, error: str | None) -> None:
-        with self._lock:
-            self._outstanding -= 1
-        if error is None:
-            answer.set_result(done)
-        else:
-            answer.set_exception(JobError(error))
-
-    def _give_up(self) -> None:
-        with self._lock:
-            self._lost = True
-
-    def _fail_all(self) -> None:
-        with contextlib.suppress(queue.Empty):
-            while True:
-                answer = self._asked.get_nowait()
-                if not answer.done():
-                    answer.set_exception(HelperLostError())
-
-
-class JobError(FruitguiError):
-    """A job that failed, wherever it was done."""
-
-    def __init__(self, what: str) -> None:
-        super().__init__("job_failed", what, "The line goes on; if this comes often, calibrate again.")
-
-
-def work(hands: Hands, pipe: Connection) -> None:
-    """Do jobs until the pipe is closed; the main of the process."""
-    # An interrupt from the keyboard reaches both processes; it is the other one that ends this one.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    worker = hands.worker()
-    try:
-        pipe.send(None)
-        while True:
-            send(pipe, attempted(worker, receive(pipe)))
-    except (EOFError, OSError):
-        return
-
-
-def send(pipe: Connection, thing: object) -> None:
-    """Send a thing so that its arrays go through the pipe as they lie in memory.
-
-    Copied into one piece first, as `Connection.send` does, they would keep every other thread of the process waiting.
-    """
-    arrays: list[pickle.PickleBuffer] = []
-    head = pickle.dumps(thing, protocol=5, buffer_callback=arrays.append)
-    raw = [array.raw() for array in arrays]
-    pipe.send_bytes(pickle.dumps((head, [one.nbytes for one in raw])))
-    for one in raw:
-        if one.nbytes:
-            pipe.send_bytes(one)
-
-
-def receive(pipe: Connection) -> Any:  # noqa: ANN401 - whatever was sent
-    """Return what was sent; its arrays may be written to."""
-    head, sizes = pickle.loads(pipe.recv_bytes())  # noqa: S301 - from our own process
-    arrays = [bytearray(size) for size in sizes]
-    for array in arrays:
-        if array:
-            pipe.recv_bytes_into(array)
-    return pickle.loads(head, buffers=arrays)  # noqa: S301 - from our own process
-
-
-def attempted(worker: Worker, job: Look | Weigh) -> tuple[Observation | Judgement | None, str | None]:
-    """Return (what came of a job, None), or (None, what went wrong)."""
-    try:
-        return worker.do(job), None
-    except FruitguiError as error:
-        return None, error.what
-    except Exception as error:  # noqa: BLE001 - one bad frame or fruit must not end the line; it is said
-        return None, f"{type(error).__name__}: {error}"
+    def _tell(self) -> None:
+        with self._room:
+            self._room.notify_all()

@@ -11,9 +11,10 @@ from fruitgui.measurement.rough import rough_size
 from fruitgui.perception.view import FruitView
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.judging import NOBODY_SAYS, Judgement, evidence
-from fruitgui.station.live.bench import Bench, HelperLostError, JobError, Weigh, Worker, attempted
+from fruitgui.station.live.bench import Bench
 from fruitgui.station.live.crops import coded
 from fruitgui.station.live.following import Parted
+from fruitgui.station.live.helper import HelperLostError, JobError, Weigh, Worker, attempted
 from fruitgui.station.live.state import Finished, KindTotal, Spot, Totals
 from fruitgui.station.sink import CountedFruit
 from fruitgui.station.waiting import BufferedSink, SinkState
@@ -35,7 +36,7 @@ class Counting:
 
     Args:
         rig: of the sensors that are there.
-        worker: measures what the bench has no hands for.
+        worker: measures where the bench has no helper.
         bench: measures beside.
         sink: keeps fruit.
         teacher: told of every fruit.
@@ -99,7 +100,7 @@ class Counting:
     def _judged(self, track: Track) -> Judgement:
         """Measure a track, here or beside; one that cannot be measured is counted all the same, and said."""
         job = Weigh(track)
-        answer = self._bench.ask(job)
+        answer = self._bench.hand(job)
         try:
             if answer is not None:
                 done: Judgement = answer.result()

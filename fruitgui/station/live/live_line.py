@@ -1,4 +1,4 @@
-"""The line on live sensors: three threads and a helping process between a feed and a store of fruit."""
+"""The line on live sensors: three threads and helping processes between a feed and a store of fruit."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ from fruitgui.frame import Frame
 from fruitgui.perception.view import Observation
 from fruitgui.sensors.feed import Arrival, ByCapture, Feed, Subscription
 from fruitgui.station.lineup import line_up
-from fruitgui.station.live.bench import Bench, Hands, HelperLostError, JobError, Look, attempted
+from fruitgui.station.live.bench import Bench
 from fruitgui.station.live.counting import Counting, Teacher
 from fruitgui.station.live.first_look import FirstLook, Leaving
 from fruitgui.station.live.following import Following
+from fruitgui.station.live.helper import Hands, HelperLostError, JobError, Look, attempted
 from fruitgui.station.live.intake import LIVE, ClockWatch, Intake
 from fruitgui.station.live.sensor_watch import SensorWatch
 from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
@@ -29,7 +30,7 @@ from fruitgui.station.station import Station
 from fruitgui.station.waiting import BufferedSink
 
 PERCEIVED_AHEAD = 6
-"""Frames that may be perceived, or be with the helper, before the one that is to be followed next."""
+"""Frames that may be perceived, or be with helpers, before the one that is to be followed next."""
 
 FRUIT_AHEAD = 64
 """Fruit that wait to be measured and kept before the line waits for them."""
@@ -178,7 +179,7 @@ class LiveLine:
         stale = self._following.stale.items()
         return (*(LiveWarning("calibration_stale", text, names) for names, text in stale), *self._warnings.all())
 
-    # The first thread: frames in order, perceived here or by the helper.
+    # The first thread: frames in order, perceived by helpers, or here where there are none.
 
     def _perceive_all(self) -> None:
         subscription = self._subscription
@@ -194,7 +195,7 @@ class LiveLine:
         frame = self._lineup.corrected(arrival.frame)
         self._watch_clock(arrival)
         look = Look(frame, self._time_s(frame))
-        answer = self._bench.ask(look)
+        answer = self._bench.hand(look)
         if answer is None:
             answer = self._looked(look)
         return _Perceived(arrival, frame, look, answer)

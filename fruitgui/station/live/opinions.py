@@ -8,7 +8,8 @@ from typing import Any
 
 from fruitgui.errors import FruitguiError
 from fruitgui.station.judging import Judgement
-from fruitgui.station.live.bench import Bench, Weigh
+from fruitgui.station.live.bench import Bench
+from fruitgui.station.live.helper import Weigh
 from fruitgui.station.live.state import Opinion
 from fruitgui.tracking.tracker import LiveTrack, Tracker
 
@@ -24,7 +25,7 @@ COST_SHARE = 0.25
 
 
 class Opinions:
-    """Has one track at a time measured by the helper, when that has nothing else to do.
+    """Has one track at a time measured by a helper that has nothing else to do.
 
     Without a helper there are no opinions: they would cost the line frames.
     """

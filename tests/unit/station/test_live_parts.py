@@ -18,9 +18,9 @@ from fruitgui.simulation.device import KINECT_COLOR
 from fruitgui.simulation.show import Show
 from fruitgui.simulation.supply import LineOptions
 from fruitgui.station.live.above import FromAbove, pictured_spread, spread_of
-from fruitgui.station.live.bench import receive, send
 from fruitgui.station.live.bump import BumpWatch, looks_moved
 from fruitgui.station.live.crops import LONGEST_PX, MOST_SENSORS, MOST_TRACKS, Album, coded
+from fruitgui.station.live.helper import receive, send
 from fruitgui.station.live.intake import ClockWatch
 from fruitgui.station.live.warnings import MOST, Warnings
 from tests.unit.perception.spheres import Ball, Table
