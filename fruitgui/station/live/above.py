@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from fruitgui.frame import F64
+from fruitgui.frame import F64, Intrinsics
 from fruitgui.geometry.pose import Pose
-from fruitgui.geometry.rig import Mount, Rig
+from fruitgui.geometry.rig import Rig
 from fruitgui.station.live.state import Spread
 
 CHI2_95 = 5.991
 """Squared distance within which a normal place in the plane lies with 95 %."""
+
+NEAREST_M = 0.05
+"""What is nearer to a sensor's plane than this has no place in its picture."""
 
 TURN_RAD = np.radians(3.0)
 """The view from above turns only where the belt's direction has really changed."""
@@ -49,41 +52,45 @@ class FromAbove:
         """Return points (n, 3) of the reference frame as seen from above, (n, 2)."""
         return self.pose.apply(points_m.reshape(-1, 3))[:, :2]
 
-    def spread(self, place_m: F64, covariance_m2: F64) -> Spread:
-        """Return the ellipse of a place seen from above, given its covariance (3, 3) in the reference frame."""
-        R = self.pose.rotation
-        return spread_of(place_m, (R @ covariance_m2 @ R.T)[:2, :2])
+    def spreads(self, places_m: F64, covariances_m2: F64) -> list[Spread]:
+        """Return the ellipses of places (n, 2) seen from above, given covariances (n, 3, 3) in the reference frame."""
+        R = self.pose.rotation[:2]
+        return spreads_of(places_m, R @ covariances_m2 @ R.T)
 
     def _footprints(self) -> dict[str, F64]:
         return {name: self.places_m(mount.pose.apply(mount.footprint_m())) for name, mount in self._rig.mounts.items()}
 
 
-def spread_of(centre: F64, covariance: F64) -> Spread:
-    """Return the ellipse of 95 % of a covariance (2, 2) about a centre (2,)."""
-    values, vectors = np.linalg.eigh(covariance)
-    minor, major = np.sqrt(CHI2_95 * np.maximum(values, 0.0))
-    angle_rad = float(np.arctan2(vectors[1, 1], vectors[0, 1]))
-    return Spread(float(centre[0]), float(centre[1]), float(major), float(minor), angle_rad)
+def spreads_of(centres: F64, covariances: F64) -> list[Spread]:
+    """Return the ellipses of 95 % of covariances (n, 2, 2) about centres (n, 2)."""
+    values, vectors = np.linalg.eigh(covariances)
+    axes = np.sqrt(CHI2_95 * np.maximum(values, 0.0))
+    angle_rad = np.arctan2(vectors[:, 1, 1], vectors[:, 0, 1])
+    rows = np.column_stack([centres, axes[:, 1], axes[:, 0], angle_rad])
+    return [Spread(*row) for row in rows.tolist()]
 
 
-def pictured_spread(mount: Mount, position_m: F64, covariance_m2: F64) -> Spread | None:
-    """Return the ellipse of a place in a sensor's picture, pixels (lens distortion left out of its shape).
+def pictured_spreads(lens: Intrinsics, to_sensor: Pose, positions_m: F64, covariances_m2: F64) -> list[Spread | None]:
+    """Return the ellipses of places in a sensor's picture, pixels (lens distortion left out of their shape).
 
     Args:
-        mount: of the sensor.
-        position_m: (3,) reference frame. covariance_m2: (3, 3) of it.
+        lens: of the sensor.
+        to_sensor: from the reference frame to the sensor's.
+        positions_m: (n, 3) reference frame. covariances_m2: (n, 3, 3) of them.
 
     Returns:
-        None where it lies behind the sensor.
+        None for what lies behind the sensor.
     """
-    to_sensor = mount.pose.inverse()
-    point = to_sensor.apply(position_m)
-    if point[2] < 0.05:
-        return None
-    lens, z = mount.intrinsics, point[2]
-    J = np.array([[lens.fx / z, 0.0, -lens.fx * point[0] / z**2], [0.0, lens.fy / z, -lens.fy * point[1] / z**2]])
+    x, y, z = to_sensor.apply(positions_m).T
+    before = z >= NEAREST_M
+    depth = np.where(before, z, 1.0)
+    J = np.zeros((len(z), 2, 3))
+    J[:, 0, 0], J[:, 0, 2] = lens.fx / depth, -lens.fx * x / depth**2
+    J[:, 1, 1], J[:, 1, 2] = lens.fy / depth, -lens.fy * y / depth**2
     J = J @ to_sensor.rotation
-    return spread_of(lens.project(point)[0], J @ covariance_m2 @ J.T)
+    pixels = lens.project(np.stack([x, y, depth], axis=1))
+    spreads = spreads_of(pixels, J @ covariances_m2 @ J.transpose(0, 2, 1))
+    return [spread if seen else None for spread, seen in zip(spreads, before.tolist(), strict=True)]
 
 
 def _wrapped(angle_rad: float) -> float:

@@ -17,7 +17,7 @@ from fruitgui.geometry.rotation import rotation_from_vector
 from fruitgui.simulation.device import KINECT_COLOR
 from fruitgui.simulation.show import Show
 from fruitgui.simulation.supply import LineOptions
-from fruitgui.station.live.above import FromAbove, pictured_spread, spread_of
+from fruitgui.station.live.above import FromAbove, pictured_spreads, spreads_of
 from fruitgui.station.live.bump import BumpWatch, looks_moved
 from fruitgui.station.live.crops import LONGEST_PX, MOST_SENSORS, MOST_TRACKS, Album, coded
 from fruitgui.station.live.helper import receive, send
@@ -71,7 +71,9 @@ def test_a_standing_belt_turns_nothing() -> None:
 @given(st.floats(-1.5, 1.5), st.floats(0.001, 0.05), st.floats(0.1, 1.0))
 def test_an_ellipse_holds_what_its_covariance_says(angle: float, major: float, ratio: float) -> None:
     R = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-    spread = spread_of(np.array([1.0, 2.0]), R @ np.diag([major**2, (ratio * major) ** 2]) @ R.T)
+    covariance = R @ np.diag([major**2, (ratio * major) ** 2]) @ R.T
+    other, spread = spreads_of(np.array([[0.0, 0.0], [1.0, 2.0]]), np.array([np.eye(2), covariance]))
+    assert other.major == other.minor == pytest.approx(np.sqrt(5.991))
     assert spread.major == pytest.approx(major * np.sqrt(5.991), rel=1e-6)
     assert spread.minor == pytest.approx(ratio * major * np.sqrt(5.991), rel=1e-6)
     if ratio < 0.95:
@@ -83,18 +85,18 @@ def test_a_spread_in_a_picture_is_that_of_many_projected_places() -> None:
     mount = Mount("left", turned, SURFACE, KINECT_COLOR)
     position = turned.apply(np.array([0.1, -0.05, 1.1]))
     covariance = np.diag([4e-6, 1e-6, 9e-6])
-    spread = pictured_spread(mount, position, covariance)
+    behind, spread = pictured_spreads(
+        KINECT_COLOR, mount.pose.inverse(), np.array([turned.apply(np.array([0.0, 0.0, -1.0])), position]),
+        np.array([covariance, covariance]),
+    )  # fmt: skip
+    assert behind is None
     assert spread is not None
     rng = np.random.default_rng(1)
     places = rng.multivariate_normal(position, covariance, 20_000)
     pixels = KINECT_COLOR.project(turned.inverse().apply(places))
-    many = spread_of(pixels.mean(axis=0), np.cov(pixels.T))
+    (many,) = spreads_of(pixels.mean(axis=0)[None], np.cov(pixels.T)[None])
     assert (spread.x, spread.y) == pytest.approx((many.x, many.y), abs=0.1)
     assert (spread.major, spread.minor) == pytest.approx((many.major, many.minor), rel=0.05)
-
-
-def test_a_place_behind_the_sensor_is_not_pictured() -> None:
-    assert pictured_spread(MOUNT, np.array([0.0, 0.0, -1.0]), np.eye(3)) is None
 
 
 def test_the_better_view_of_each_sensor_is_kept_and_cut_within_bounds() -> None:

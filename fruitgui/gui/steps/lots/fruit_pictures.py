@@ -12,7 +12,7 @@ from fruitgui.geometry.pose import Pose
 from fruitgui.gui.view_pictures import ViewPictures
 from fruitgui.records.correcting import Correction
 from fruitgui.records.fruit_record import FruitRecord
-from fruitgui.station.live.above import spread_of
+from fruitgui.station.live.above import spreads_of
 from fruitgui.station.live.state import Spread
 from fruitgui.station.station import Station
 from fruitgui.tracking.track import PathPoint
@@ -50,11 +50,9 @@ def way(path: Sequence[PathPoint], station: Station | None) -> Way | None:
     pose = _from_above(places_m, station)
     flat = pose.apply(places_m)[:, :2]
     flat = flat - flat.mean(axis=0)
-    R = pose.rotation
-    spreads = tuple(
-        spread_of(place, (R @ point.covariance_m2 @ R.T)[:2, :2]) for place, point in zip(flat, path, strict=True)
-    )
-    return Way(spreads, path[-1].time_s - path[0].time_s)
+    R = pose.rotation[:2]
+    covariances_m2 = np.array([point.covariance_m2 for point in path])
+    return Way(tuple(spreads_of(flat, R @ covariances_m2 @ R.T)), path[-1].time_s - path[0].time_s)
 
 
 def _from_above(places_m: F64, station: Station | None) -> Pose:
