@@ -24,26 +24,29 @@ class Bench:
     Args:
         hands: what the helpers work with.
         helpers: how many there are to be; one for each core, up to three, unless given.
+
+    Attributes:
+        helpers: all of them, whether they are up or not.
     """
 
     def __init__(self, hands: Hands, helpers: int | None = None) -> None:
         count = min(usable_cores(), MOST_HELPERS) if helpers is None else helpers
         self._room = threading.Condition()
-        self._helpers = tuple(Helper(hands, self._tell) for _ in range(count))
+        self.helpers = tuple(Helper(hands, self._tell) for _ in range(count))
 
     def start(self) -> None:
         """Start the helpers."""
-        for helper in self._helpers:
+        for helper in self.helpers:
             helper.start()
 
     @property
     def idle(self) -> bool:
         """Whether a helper is up and has nothing to do."""
-        return any(helper.works and helper.outstanding == 0 for helper in self._helpers)
+        return any(helper.works and helper.outstanding == 0 for helper in self.helpers)
 
     def ask(self, job: Look | Weigh, most: int = HANDED) -> Future[Any] | None:
         """Hand a job over; None where no helper is up, or all have `most` jobs already."""
-        for helper in sorted(self._helpers, key=lambda helper: helper.outstanding):
+        for helper in sorted(self.helpers, key=lambda helper: helper.outstanding):
             answer = helper.ask(job, most)
             if answer is not None:
                 return answer
@@ -52,7 +55,7 @@ class Bench:
     def hand(self, job: Look | Weigh) -> Future[Any] | None:
         """Hand a job over as soon as a helper has room for it; None where none is up."""
         with self._room:
-            while any(helper.works for helper in self._helpers):
+            while any(helper.works for helper in self.helpers):
                 answer = self.ask(job)
                 if answer is not None:
                     return answer
@@ -61,7 +64,7 @@ class Bench:
 
     def close(self) -> None:
         """End the helpers; what they left undone fails with `HelperLostError`. Any number of times."""
-        for helper in self._helpers:
+        for helper in self.helpers:
             helper.close()
 
     def _tell(self) -> None:

@@ -150,6 +150,11 @@ class Helper:
         self._jobs.put((job, answer))
         return answer
 
+    def kill(self) -> None:
+        """End the process in the middle of whatever it does."""
+        if self._process is not None:
+            self._process.kill()
+
     def close(self) -> None:
         """End the process; what it left undone fails with `HelperLostError`. Any number of times."""
         self._give_up()
