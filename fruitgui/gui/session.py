@@ -24,7 +24,6 @@ from fruitgui.gui.theme.kinds import Looks
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.store import open_store
-from fruitgui.sensors.turns import Settling
 from fruitgui.station.connection import Connection
 from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.facts import facts_of
@@ -131,11 +130,6 @@ class Session(QObject):
     def projectors(self) -> Projectors:
         """What was measured of the sensors' projectors."""
         return self._projectors.value
-
-    @property
-    def settlings(self) -> dict[str, Settling]:
-        """How long each device settles, by serial, as far as it was measured."""
-        return {serial: one.settling() for serial, one in self.projectors.settlings.items()}
 
     @property
     def taught(self) -> TaughtFacts | None:
@@ -284,7 +278,8 @@ class Session(QObject):
         feed = self.connected.feed
         if feed is not None:
             rig = rig_of(self.station, {name: info.intrinsics for name, info in feed.infos.items()})
-            schedule = schedule_of(feed.infos, None if rig is None else overlapping(rig), self.settlings)
+            known, disturbing = self.projectors.known(), self.projectors.disturbing(feed.infos.values())
+            schedule = schedule_of(feed.infos, None if rig is None else overlapping(rig), known, disturbing)
             if schedule != feed.schedule:
                 feed.take_turns(schedule)
 

@@ -11,7 +11,7 @@ from typing import TypeVar
 from fruitgui.errors import InputError
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.sensor import Sensor
-from fruitgui.sensors.turns import Schedule, Settling
+from fruitgui.sensors.turns import Schedule
 from fruitgui.station.connection import Connection
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.sources import DEVICES, Make
@@ -82,20 +82,23 @@ class Known:
     Attributes:
         names: by serial.
         station: where they are, None where nobody calibrated them.
-        settlings: how long each takes to settle, by serial.
+        projectors: what was measured of them.
         trouble: files that could not be used, in words.
     """
 
     names: Mapping[str, str] = field(default_factory=dict)
     station: Station | None = None
-    settlings: Mapping[str, Settling] = field(default_factory=dict)
+    projectors: Projectors = field(default_factory=Projectors)
     trouble: tuple[str, ...] = ()
 
     def schedule(self, sensors: Iterable[Sensor]) -> Schedule:
         """Return how the projectors of sensors take turns: only those that are known not to overlap share one."""
         infos = {sensor.info.sensor: sensor.info for sensor in sensors}
         rig = rig_of(self.station, {name: info.intrinsics for name, info in infos.items()})
-        return schedule_of(infos, None if rig is None else overlapping(rig), self.settlings)
+        return schedule_of(
+            infos, None if rig is None else overlapping(rig), self.projectors.known(),
+            self.projectors.disturbing(infos.values()),
+        )  # fmt: skip
 
 
 def known_by_station(path: Path) -> Known:
@@ -117,7 +120,7 @@ def known_by_workspace(folder: Path | None = None) -> Known:
     return Known(
         names={one.serial: one.name for one in connection.sensors if one.serial} if connection else {},
         station=_read(files.station.path, read_station, trouble),
-        settlings={key: one.settling() for key, one in projectors.settlings.items()} if projectors else {},
+        projectors=projectors or Projectors(),
         trouble=tuple(trouble),
     )
 

@@ -53,6 +53,7 @@ def turn_plan(
     seen_m: Mapping[str, float],
     rig: Rig | None,
     settlings: Mapping[str, Settling] | None = None,
+    disturbing: Iterable[tuple[str, str]] = (),
 ) -> TurnPlan:
     """Return the plan.
 
@@ -61,9 +62,10 @@ def turn_plan(
         seen_m: by sensor, way along the belt that it sees; see `seen_length_m`.
         rig: as calibrated with just these sensors; None before that.
         settlings: as measured, by serial.
+        disturbing: pairs that were measured to disturb each other.
     """
     overlaps = None if rig is None else overlapping(rig)
-    schedule = schedule_of(infos, overlaps, settlings)
+    schedule = schedule_of(infos, overlaps, settlings, disturbing)
     nominal_hz = {name: info.rate_hz or USUAL_HZ for name, info in infos.items()}
     speeds_m_s = [
         max(seen_m[name] - WHOLE_FRUIT_M, 0.0) / schedule.longest_wait_s(name, nominal_hz[name]) for name in infos
@@ -82,6 +84,7 @@ def schedule_of(
     infos: Mapping[str, SensorInfo],
     overlaps: Iterable[tuple[str, str]] | None,
     settlings: Mapping[str, Settling] | None = None,
+    disturbing: Iterable[tuple[str, str]] = (),
 ) -> Schedule:
     """Return the turns of those sensors that take any.
 
@@ -89,9 +92,11 @@ def schedule_of(
         infos: of all sensors, in order.
         overlaps: pairs that see the same place; None before that is known.
         settlings: as measured, by serial.
+        disturbing: pairs that were measured to disturb each other. They take turns wherever calibration says that
+            they look; that a pair was not seen to disturb each other never lets it shine together.
     """
     lights = lights_of(infos.values(), settlings)
-    among = None if overlaps is None else [pair for pair in overlaps if lights.keys() >= set(pair)]
+    among = None if overlaps is None else [pair for pair in (*overlaps, *disturbing) if lights.keys() >= set(pair)]
     return turns(lights, among)
 
 

@@ -194,7 +194,7 @@ class ConnectPage(StepPage):
         chosen = next(view for view in views if view.name == self._chosen)
         others = tuple(name for name in names if name != self._chosen)
         self.details.show_view(chosen, others, fixed=self._session.running.running or self.recording.recording)
-        plan = plan_of(feed, self._session.station, self._session.settlings)
+        plan = plan_of(feed, self._session.station, self._session.projectors)
         self.turns.show_plan(plan, () if feed is None else feed.sensors)
 
     def _show_actions(self) -> None:

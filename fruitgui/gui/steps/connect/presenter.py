@@ -9,9 +9,9 @@ from fruitgui.gui.steps.connect.steady_words import correction_text, light, warm
 from fruitgui.gui.steps.connect.words import Condition, colour_lock, condition, lost_text, rate_text
 from fruitgui.sensors.feed import Feed, Running, SensorHealth
 from fruitgui.sensors.sensor import ColorLock, SensorInfo
-from fruitgui.sensors.turns import Settling
 from fruitgui.station.connection import ConnectedSensor, Connection
 from fruitgui.station.depths import DeviceDepths
+from fruitgui.station.projectors import Projectors
 from fruitgui.station.station import Station
 from fruitgui.station.steadiness import Steadiness
 from fruitgui.station.turn_plan import TurnPlan, rig_of, seen_length_m, turn_plan
@@ -101,13 +101,15 @@ def _beginning(name: str) -> SensorHealth:
     return SensorHealth(name, Running.STARTING)
 
 
-def plan_of(feed: Feed | None, station: Station | None, settlings: Mapping[str, Settling]) -> TurnPlan | None:
+def plan_of(feed: Feed | None, station: Station | None, projectors: Projectors) -> TurnPlan | None:
     """Return how the projectors of the sensors that run take turns; None where none runs."""
     if feed is None or not feed.infos:
         return None
     cameras = {name: info.intrinsics for name, info in feed.infos.items()}
     seen_m = {name: seen_length_m(camera, feed.newest(name)) for name, camera in cameras.items()}
-    return turn_plan(feed.infos, seen_m, rig_of(station, cameras), settlings)
+    return turn_plan(
+        feed.infos, seen_m, rig_of(station, cameras), projectors.known(), projectors.disturbing(feed.infos.values())
+    )
 
 
 def summary(views: tuple[SensorView, ...]) -> tuple[int, int]:

@@ -1,0 +1,234 @@
+"""Trying the projectors of running sensors: each alone, then every two together."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from itertools import combinations
+
+from fruitgui.calibration.projectors.glimpse import Glimpse, glimpse
+from fruitgui.calibration.projectors.interference import Interference, interference
+from fruitgui.calibration.projectors.settling import LEAST_PICTURES, Refusal, Settled, settling_of
+from fruitgui.errors import InputError, WorldError
+from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
+from fruitgui.sensors.feed import Arrival, Feed
+from fruitgui.sensors.turns import Schedule, lights_of
+from fruitgui.station.projectors import MeasuredInterference, MeasuredSettling, Projectors
+
+TRIALS = 5
+"""Times that each projector is switched on alone."""
+
+VIEWS = 36
+"""Pictures of each: a second and a fifth, of which a light that takes half a second leaves enough that are steady."""
+
+TOGETHER = 20
+"""Pictures of each of two that shine together, once both are steady."""
+
+LONGEST_SILENCE_S = 12.0
+"""A sensor of which nothing of use comes for so long, though the others had their turns, is not waited for."""
+
+ROOM = 64
+TAKE_S = 0.1
+ALONE = 0.6
+"""Share of the time that trying each alone takes, as the person is told."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pair:
+    """Two sensors that were tried together.
+
+    Attributes:
+        sensors: both, by name.
+        seen: what the other's light does to each; None where that could not be told.
+    """
+
+    sensors: tuple[str, str]
+    seen: tuple[Interference, Interference] | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tried:
+    """What trying the projectors came to.
+
+    Attributes:
+        alone: by sensor, how it settles, or why that cannot be told.
+        pairs: of those that could be told alone.
+        projectors: what is worth keeping of it.
+    """
+
+    alone: Mapping[str, Settled | Refusal]
+    pairs: tuple[Pair, ...]
+    projectors: Projectors
+
+
+def try_projectors(
+    feed: Feed, when: datetime, progress: Progress = no_progress, cancelled: Cancelled = never_cancelled
+) -> Tried:
+    """Switch the projectors of a running feed's sensors on and off, and look what that does to a still scene.
+
+    Nobody else hears of these sensors meanwhile; afterwards, however it ends, they take turns as before.
+
+    Args:
+        feed: that runs.
+        when: it is done, with its zone.
+        progress: told which sensors are tried.
+        cancelled: asked between any two pictures.
+
+    Raises:
+        InputError: there are no two sensors whose projectors disturb others and can be switched.
+        WorldError: a sensor gave nothing of use for too long.
+        CancelledByUserError: `cancelled` said so.
+    """
+    lights = lights_of(feed.infos.values())
+    if len(lights) < 2:
+        raise InputError(
+            "no_turns", "No two of these sensors have to take turns.", "There is nothing to measure; go on."
+        )
+    stage = _Stage(feed, Schedule(lights=lights, views=VIEWS), progress, cancelled)
+    trials = stage.alone()
+    alone = {sensor: settling_of(trials[sensor]) for sensor in lights}
+    told = {sensor: one for sensor, one in alone.items() if isinstance(one, Settled)}
+    couples = list(combinations(told, 2))
+    pairs = []
+    for number, couple in enumerate(couples):
+        pictures = stage.together(couple, told, number / len(couples))
+        seen = tuple(interference(told[one].steady, pictures[one]) for one in couple)
+        first, second = seen
+        pairs.append(Pair(couple, None if first is None or second is None else (first, second)))
+    return Tried(alone, tuple(pairs), _worth_keeping(told, pairs, {n: i.serial for n, i in feed.infos.items()}, when))
+
+
+@dataclass(slots=True, eq=False)
+class _Trials:
+    """The times that one projector was on alone."""
+
+    whole: list[list[Glimpse]] = field(default_factory=list)
+    now: list[Glimpse] = field(default_factory=list)
+    frames: int = -1
+
+    def take(self, arrival: Arrival) -> None:
+        """Take a picture; one that counts fewer than the last begins another time."""
+        lit = arrival.lit
+        if lit.frames <= self.frames:
+            self.end()
+        self.frames = lit.frames
+        if not lit.others:
+            self.now.append(glimpse(arrival.frame.depth_mm, lit.since_s, lit.frames))
+
+    def end(self) -> None:
+        """Let a time be over."""
+        if len(self.now) >= LEAST_PICTURES:
+            self.whole.append(self.now)
+        self.now, self.frames = [], -1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Stage:
+    """The sensors while they are tried.
+
+    Attributes:
+        feed: that runs.
+        usual: whose lights and views every trial has.
+        progress, cancelled: see `try_projectors`.
+    """
+
+    feed: Feed
+    usual: Schedule
+    progress: Progress
+    cancelled: Cancelled
+
+    def alone(self) -> Mapping[str, Sequence[Sequence[Glimpse]]]:
+        """Return the times that each was on alone."""
+        trials = {sensor: _Trials() for sensor in self.usual.lights}
+        slots = tuple((sensor,) for sensor in trials)
+
+        def enough(sensor: str) -> bool:
+            return len(trials[sensor].whole) >= TRIALS
+
+        for arrival in self._heard(slots, trials, enough):
+            trials[arrival.frame.sensor].take(arrival)
+            done = sum(min(len(one.whole), TRIALS) for one in trials.values())
+            self.progress(ALONE * done / (TRIALS * len(trials)), f"{arrival.frame.sensor}")
+        return {sensor: one.whole for sensor, one in trials.items()}
+
+    def together(
+        self, couple: tuple[str, str], told: Mapping[str, Settled], share: float
+    ) -> Mapping[str, Sequence[Glimpse]]:
+        """Return pictures of each of two while both lights are steady."""
+        rest = tuple(sensor for sensor in self.usual.lights if sensor not in couple)
+        pictures: dict[str, list[Glimpse]] = {sensor: [] for sensor in couple}
+        steady_s = max(told[sensor].settle_s for sensor in couple)
+        since_s: dict[str, float | None] = dict.fromkeys(couple)
+        self.progress(ALONE + (1.0 - ALONE) * share, " + ".join(couple))
+        for arrival in self._heard(
+            (couple, rest) if rest else (couple,), couple, lambda one: len(pictures[one]) >= TOGETHER
+        ):
+            sensor, lit = arrival.frame.sensor, arrival.lit
+            if not set(couple) >= {sensor, *lit.others} or not lit.others:
+                since_s[sensor] = None
+                continue
+            began_s = since_s[sensor]
+            since_s[sensor] = began_s = arrival.arrived_s if began_s is None else began_s
+            if lit.since_s > steady_s and arrival.arrived_s - began_s > steady_s:
+                pictures[sensor].append(glimpse(arrival.frame.depth_mm, lit.since_s, lit.frames))
+        return pictures
+
+    def _heard(
+        self, slots: tuple[tuple[str, ...], ...], wanted: Collection[str], enough: Callable[[str], bool]
+    ) -> Iterator[Arrival]:
+        """Yield what sensors give while slots are tried, until there is enough of each that is wanted."""
+        cycle_s = Schedule(slots, self.usual.lights, self.usual.views).cycle_s
+        heard_s = dict.fromkeys(wanted, time.monotonic())
+        with self.feed.rehearsal(Schedule(slots, self.usual.lights, self.usual.views), ROOM) as queue:
+            while not all(map(enough, wanted)):
+                stop_if(self.cancelled)
+                arrival = queue.take(TAKE_S)
+                if arrival is not None and arrival.frame.sensor in wanted:
+                    heard_s[arrival.frame.sensor] = arrival.arrived_s
+                    yield arrival
+                silent = [one for one in wanted if not enough(one) and _is_silent(heard_s[one], cycle_s)]
+                if silent:
+                    raise _silence(silent[0])
+
+
+def _is_silent(heard_s: float, cycle_s: float) -> bool:
+    return time.monotonic() - heard_s > LONGEST_SILENCE_S + cycle_s
+
+
+def _silence(sensor: str) -> WorldError:
+    return WorldError(
+        "projector_not_seen",
+        f"Sensor {sensor} gave no picture in its turns for {LONGEST_SILENCE_S:.0f} s.",
+        "Check its cable and power, or leave it out, and measure again.",
+        values={"sensor": sensor},
+    )
+
+
+def _worth_keeping(
+    told: Mapping[str, Settled], pairs: Sequence[Pair], serials: Mapping[str, str], when: datetime
+) -> Projectors:
+    """Return what was measured of devices that can be told again by their serials."""
+    settlings = {
+        serials[sensor]: MeasuredSettling(
+            settle_s=one.settle_s, discard_frames=one.discard_frames, steady_s=one.steady_s, holes=one.steady.holes,
+            trials=one.trials, when=when,
+        )
+        for sensor, one in told.items()
+        if serials[sensor]
+    }  # fmt: skip
+    interferences = tuple(
+        MeasuredInterference(
+            serials=(serials[pair.sensors[0]], serials[pair.sensors[1]]),
+            holes_alone=(pair.seen[0].holes_alone, pair.seen[1].holes_alone),
+            holes_together=(pair.seen[0].holes_together, pair.seen[1].holes_together),
+            noise_alone_mm=(pair.seen[0].noise_alone_mm, pair.seen[1].noise_alone_mm),
+            noise_together_mm=(pair.seen[0].noise_together_mm, pair.seen[1].noise_together_mm),
+            harm=(pair.seen[0].harm, pair.seen[1].harm),
+            when=when,
+        )
+        for pair in pairs
+        if pair.seen is not None and all(serials[one] for one in pair.sensors)
+    )
+    return Projectors(settlings=settlings, interferences=interferences)
