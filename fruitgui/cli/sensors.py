@@ -22,6 +22,11 @@ def add(commands: Commands) -> None:
     )
     command.add_argument("--yes", action="store_true", help="do not ask before the rules are installed")
     command.add_argument(
+        "--projectors", action="store_true",
+        help="measure how long each projector takes to settle and who blinds whom, on a belt that stands; keep it",
+    )  # fmt: skip
+    command.add_argument("--line", type=Path, metavar="FOLDER", help="where that is kept (the window's)")
+    command.add_argument(
         "--root", type=Path, default=Path("/"), metavar="FOLDER",
         help="the system below this folder, for example a mounted image (/)",
     )  # fmt: skip
@@ -35,6 +40,10 @@ def run(options: argparse.Namespace, console: Console) -> int:
         raise InputError("usage", f"{options.root} is not a folder.", "Name a folder.", file=options.root)
     if options.install_udev_rules:
         return _install(options.root, console, asked=options.yes)
+    if options.projectors:
+        from fruitgui.cli.projectors import measure_projectors
+
+        return measure_projectors(options.line, console)
     seconds = finite(options.seconds, "--seconds")
     if not 0.0 <= seconds <= LONGEST_S:
         raise InputError("usage", f"--seconds {seconds:g} is out of range.", f"Give 0 to {LONGEST_S:g} seconds.")

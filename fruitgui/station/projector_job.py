@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from itertools import combinations
+from typing import Any
 
 from fruitgui.calibration.projectors.glimpse import Glimpse, glimpse
 from fruitgui.calibration.projectors.interference import Interference, interference
@@ -14,6 +15,7 @@ from fruitgui.calibration.projectors.settling import LEAST_PICTURES, Refusal, Se
 from fruitgui.errors import InputError, WorldError
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 from fruitgui.sensors.feed import Arrival, Feed
+from fruitgui.sensors.sensor import Sensor
 from fruitgui.sensors.turns import Schedule, lights_of
 from fruitgui.station.projectors import MeasuredInterference, MeasuredSettling, Projectors
 
@@ -62,6 +64,31 @@ class Tried:
     pairs: tuple[Pair, ...]
     projectors: Projectors
 
+    def value(self) -> dict[str, Any]:
+        """Return it as JSON."""
+        return {
+            "projectors": {sensor: _alone_value(found) for sensor, found in self.alone.items()},
+            "pairs": [_pair_value(pair) for pair in self.pairs],
+        }
+
+
+def _alone_value(found: Settled | Refusal) -> dict[str, Any]:
+    if isinstance(found, Refusal):
+        return {"refused": found.value}
+    return {
+        "settle_s": found.settle_s, "discard_frames": found.discard_frames, "steady_s": found.steady_s,
+        "trials": found.trials, "holes": found.steady.holes, "noise_mm": found.steady.noise_mm,
+    }  # fmt: skip
+
+
+def _pair_value(pair: Pair) -> dict[str, Any]:
+    value: dict[str, Any] = {"sensors": list(pair.sensors)}
+    if pair.seen is None:
+        return {**value, "refused": Refusal.TOO_FEW.value}
+    fields = ("holes_alone", "holes_together", "noise_alone_mm", "noise_together_mm")
+    measured = {name: [getattr(one, name) for one in pair.seen] for name in fields}
+    return {**value, **measured, "harm": [one.harm.value for one in pair.seen]}
+
 
 def try_projectors(
     feed: Feed, when: datetime, progress: Progress = no_progress, cancelled: Cancelled = never_cancelled
@@ -98,6 +125,17 @@ def try_projectors(
         first, second = seen
         pairs.append(Pair(couple, None if first is None or second is None else (first, second)))
     return Tried(alone, tuple(pairs), _worth_keeping(told, pairs, {n: i.serial for n, i in feed.infos.items()}, when))
+
+
+def lasts_s(feed: Feed) -> float:
+    """Return about how long trying the projectors of a feed's sensors takes."""
+    lights = lights_of(feed.infos.values())
+    turns_s = {sensor: light.turn_s(VIEWS) for sensor, light in lights.items()}
+    pairs_s = [
+        light.turn_s(TOGETHER) + light.settling.settle_s + (max(turns_s.values()) if len(lights) > 2 else 0.0)
+        for light, _ in combinations(lights.values(), 2)
+    ]
+    return (TRIALS + 1) * sum(turns_s.values()) + sum(pairs_s)
 
 
 @dataclass(slots=True, eq=False)
@@ -232,3 +270,21 @@ def _worth_keeping(
         if pair.seen is not None and all(serials[one] for one in pair.sensors)
     )
     return Projectors(settlings=settlings, interferences=interferences)
+
+
+def try_devices(
+    sensors: Sequence[Sensor], schedule: Schedule, when: datetime, progress: Progress, cancelled: Cancelled
+) -> Tried:
+    """Run sensors that nobody runs, try their projectors, and stop them again.
+
+    Args:
+        sensors: closed.
+        schedule: by which they take turns before and after.
+        when, progress, cancelled: see `try_projectors`, which says what is raised, too.
+    """
+    feed = Feed(sensors, schedule)
+    feed.start()
+    try:
+        return try_projectors(feed, when, progress, cancelled)
+    finally:
+        feed.stop()

@@ -88,6 +88,10 @@ def words() -> Mapping[str, tuple[str, str]]:
             translate("Errors", "The reference sensor is not there."),
             translate("Errors", "Choose another reference in step 1."),
         ),
+        "no_turns": (
+            translate("Errors", "No two of these sensors have to take turns."),
+            translate("Errors", "There is nothing to measure; go on."),
+        ),
         "no_views": (
             translate("Errors", "Fewer than two poses have a picture in the recording."),
             translate("Errors", "Check that poses and recording belong together."),
@@ -103,6 +107,10 @@ def words() -> Mapping[str, tuple[str, str]]:
         "not_mcap": (
             translate("Errors", "{file} needs no recovery."),
             translate("Errors", "Use it as it is; it is read as far as it is sound."),
+        ),
+        "projector_not_seen": (
+            translate("Errors", "{sensor} gave no picture in its turns."),
+            translate("Errors", "Check its cable and power, or leave it out, and measure again."),
         ),
         "same_file": (
             translate("Errors", "{file} is the file that is to be recovered."),

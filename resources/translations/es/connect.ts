@@ -1131,6 +1131,151 @@
     </message>
 </context>
 <context>
+    <name>ProjectorDesk</name>
+    <message>
+        <source>The projectors take turns by what was measured.</source>
+        <translation>Los proyectores se turnan según lo medido.</translation>
+    </message>
+</context>
+<context>
+    <name>Projectors</name>
+    <message>
+        <source>What it changes</source>
+        <translation>Qué cambia</translation>
+    </message>
+    <message>
+        <source>Each alone</source>
+        <translation>Cada uno solo</translation>
+    </message>
+    <message>
+        <source>Two at a time</source>
+        <translation>De dos en dos</translation>
+    </message>
+    <message>
+        <source>{sensor} beside {other}</source>
+        <translation>{sensor} junto a {other}</translation>
+    </message>
+    <message>
+        <source>undisturbed</source>
+        <translation>sin estorbos</translation>
+    </message>
+    <message>
+        <source>disturbed</source>
+        <translation>estorbado</translation>
+    </message>
+    <message>
+        <source>blinded</source>
+        <translation>deslumbrado</translation>
+    </message>
+    <message>
+        <source>steady after {time}; {frames} pictures are left out; {holes} without depth</source>
+        <translation>estable después de {time}; se descartan {frames} imágenes; {holes} sin profundidad</translation>
+    </message>
+    <message>
+        <source>Too few pictures came. Check the cable, then measure again.</source>
+        <translation>Llegaron muy pocas imágenes. Revise el cable y mida de nuevo.</translation>
+    </message>
+    <message>
+        <source>It sees nothing. Point it at the belt, keep the sun out, then measure again.</source>
+        <translation>No ve nada. Apúntelo a la cinta, evite el sol y mida de nuevo.</translation>
+    </message>
+    <message>
+        <source>Something moved meanwhile. Let the belt stand and nobody pass, then measure again.</source>
+        <translation>Algo se movió mientras tanto. Deje la cinta quieta, que nadie pase, y mida de nuevo.</translation>
+    </message>
+    <message>
+        <source>Its light did not become steady. Let it warm up for ten minutes, then measure again.</source>
+        <translation>Su luz no se estabilizó. Déjelo calentar diez minutos y mida de nuevo.</translation>
+    </message>
+    <message>
+        <source>without depth {alone} → {together}, noise {quiet} → {loud}</source>
+        <translation>sin profundidad {alone} → {together}, ruido {quiet} → {loud}</translation>
+    </message>
+    <message>
+        <source>Too few pictures came while both were on.</source>
+        <translation>Llegaron muy pocas imágenes mientras ambos estaban encendidos.</translation>
+    </message>
+    <message>
+        <source>Pictures a second, each: {rate_before} → {rate_after}. Belt up to {speed_before} → {speed_after}.</source>
+        <translation>Imágenes por segundo, cada uno: {rate_before} → {rate_after}. Cinta hasta {speed_before} → {speed_after}.</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectorsDialog</name>
+    <message>
+        <source>Measure the projectors</source>
+        <translation>Medir los proyectores</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Medir de nuevo</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Switch the projectors on and off</source>
+        <translation>Encender y apagar los proyectores</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Stop measuring; nothing is changed</source>
+        <translation>Dejar de medir; nada cambia</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Take turns by what was measured from now on</source>
+        <translation>Turnarse según lo medido de ahora en adelante</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Go back; nothing is changed</source>
+        <translation>Volver; nada cambia</translation>
+    </message>
+    <message>
+        <source>Let the belt stand still, and nobody pass below the sensors.</source>
+        <translation>Deje la cinta quieta, y que nadie pase bajo los sensores.</translation>
+    </message>
+    <message>
+        <source>Measuring was stopped; nothing is changed.</source>
+        <translation>Se detuvo la medición; nada cambia.</translation>
+    </message>
+    <message>
+        <source>How long does each light take to become steady, and who blinds whom?</source>
+        <translation>¿Cuánto tarda cada luz en estabilizarse, y quién deslumbra a quién?</translation>
+    </message>
+    <message>
+        <source>Let the belt stand with a few fruit on it, warm the sensors up for ten minutes, then measure. Each projector is switched on and off, alone and two at a time; it takes about {minutes} min. Until it was measured, careful guesses are used, which cost pictures.</source>
+        <translation>Deje la cinta quieta con algunas frutas encima, caliente los sensores diez minutos y mida. Cada proyector se enciende y se apaga, solo y de dos en dos; tarda unos {minutes} min. Mientras no se haya medido, se usan valores prudentes, que cuestan imágenes.</translation>
+    </message>
+    <message>
+        <source>Trying {sensors}</source>
+        <translation>Probando {sensors}</translation>
+    </message>
+    <message>
+        <source>Measuring the projectors</source>
+        <translation>Midiendo los proyectores</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Deteniendo …</translation>
+    </message>
+</context>
+<context>
     <name>RecordCard</name>
     <message>
         <source>Recording {name}</source>
@@ -1434,6 +1579,14 @@
     <message>
         <source>No two sensors see the same place; all are on together.</source>
         <translation>Ningún par de sensores ve el mismo lugar; todos se encienden juntos.</translation>
+    </message>
+    <message>
+        <source>Measure the projectors…</source>
+        <translation>Medir los proyectores…</translation>
+    </message>
+    <message>
+        <source>How long each takes to become steady, and who blinds whom</source>
+        <translation>Cuánto tarda cada uno en estabilizarse, y quién deslumbra a quién</translation>
     </message>
     <message>
         <source>Projectors</source>

@@ -356,6 +356,14 @@
         <translation>Elija otra referencia en el paso 1.</translation>
     </message>
     <message>
+        <source>No two of these sensors have to take turns.</source>
+        <translation>Ningún par de estos sensores tiene que turnarse.</translation>
+    </message>
+    <message>
+        <source>There is nothing to measure; go on.</source>
+        <translation>No hay nada que medir; siga adelante.</translation>
+    </message>
+    <message>
         <source>Fewer than two poses have a picture in the recording.</source>
         <translation>Menos de dos poses tienen una imagen en la grabación.</translation>
     </message>
@@ -382,6 +390,14 @@
     <message>
         <source>Use it as it is; it is read as far as it is sound.</source>
         <translation>Úselo como está; se lee hasta donde esté sano.</translation>
+    </message>
+    <message>
+        <source>{sensor} gave no picture in its turns.</source>
+        <translation>{sensor} no dio ninguna imagen en sus turnos.</translation>
+    </message>
+    <message>
+        <source>Check its cable and power, or leave it out, and measure again.</source>
+        <translation>Revise su cable y su fuente, o déjelo fuera, y mida de nuevo.</translation>
     </message>
     <message>
         <source>{file} is the file that is to be recovered.</source>

@@ -13,9 +13,13 @@ from pathlib import Path
 
 import pytest
 
-from fruitgui.cli import main
+from fruitgui.cli import main, projectors
 from fruitgui.sensors.usb.udev import rules_file
+from fruitgui.station import projector_job
 from fruitgui.station.checkup import job
+from fruitgui.station.projectors import Projectors
+from fruitgui.station.written import read_written
+from tests.unit.sensors.lit_room import LitRoom, LitSensor
 from tests.unit.sensors.made_system import made_system
 from tests.unit.station.made_drivers import MadeDriver, kinects
 
@@ -219,3 +223,31 @@ def test_on_a_terminal_it_shows_how_far_it_is_and_leaves_nothing_of_that() -> No
     assert "Looking at the USB" in said
     assert said.endswith("\r\x1b[K")
     assert "Looking" not in out
+
+
+def test_projectors_are_measured_said_and_kept(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    room = LitRoom()
+    monkeypatch.setattr(projector_job, "TRIALS", 3)
+    monkeypatch.setattr(
+        projectors, "connected_devices", lambda _names: [LitSensor(f"kinect_{one}", room) for one in (1, 2)]
+    )
+    value = json.loads(printed(capsys, "sensors", "--json", "--projectors", "--line", tmp_path / "line"))
+    assert set(value["projectors"]) == {"kinect_1", "kinect_2"}
+    assert all(0.0 <= one["settle_s"] < 0.3 for one in value["projectors"].values())
+    assert [one["harm"] for one in value["pairs"]] == [["much", "much"]]
+    kept = read_written(Path(value["kept"]), Projectors)
+    assert set(kept.settlings) == {"S-kinect_1", "S-kinect_2"}
+    text = printed(capsys, "sensors", "--projectors", "--line", tmp_path / "line")
+    assert "kinect_1: steady after" in text
+    assert "kinect_2 beside kinect_1: without depth 5.0 → 15.0 %" in text
+
+
+def test_without_sensors_there_are_no_projectors_to_measure(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(projectors, "connected_devices", lambda _names: [])
+    assert main(["sensors", "--projectors", "--line", str(tmp_path / "line")]) == 2
+    assert "Plug them in" in capsys.readouterr().err
+    assert not (tmp_path / "line").exists()

@@ -14,7 +14,8 @@ from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
 from fruitgui.gui.steps.connect.chooser import SourceChooser
 from fruitgui.gui.steps.connect.depth.wizard import DepthWizard
 from fruitgui.gui.steps.connect.details import SensorDetails
-from fruitgui.gui.steps.connect.presenter import SensorView, plan_of, sensor_views, summary, with_steadiness
+from fruitgui.gui.steps.connect.presenter import SensorView, sensor_views, summary, with_steadiness
+from fruitgui.gui.steps.connect.projectors.desk import ProjectorDesk
 from fruitgui.gui.steps.connect.record_desk import RecordDesk
 from fruitgui.gui.steps.connect.tiles import SensorTiles
 from fruitgui.gui.steps.connect.turn_card import TurnCard
@@ -48,6 +49,7 @@ class ConnectPage(StepPage):
         self.chooser, self.tiles = SourceChooser(theme), SensorTiles(theme)
         self.details, self.turns = SensorDetails(theme), TurnCard(theme)
         self.recording = RecordDesk(session, theme, self)
+        self.projectors = ProjectorDesk(session, theme, self)
         self.depth_wizard = DepthWizard(session, theme)
         self._stack = QStackedWidget()
         self._look = QTimer(self, interval=LOOK_MS)
@@ -125,6 +127,7 @@ class ConnectPage(StepPage):
         self.details.reference.connect(self._refer)
         self.details.leave.connect(self._leave_out)
         self.details.correct_depth.connect(self._correct_depth)
+        self.turns.measure.clicked.connect(self.projectors.ask)
         self.depth_wizard.changed.connect(self._show_actions)
         self.depth_wizard.left_it.connect(self._show)
         self._look.timeout.connect(self._look_for_devices)
@@ -193,9 +196,9 @@ class ConnectPage(StepPage):
         self.tiles.show_views(views, self._chosen)
         chosen = next(view for view in views if view.name == self._chosen)
         others = tuple(name for name in names if name != self._chosen)
-        self.details.show_view(chosen, others, fixed=self._session.running.running or self.recording.recording)
-        plan = plan_of(feed, self._session.station, self._session.projectors)
-        self.turns.show_plan(plan, () if feed is None else feed.sensors)
+        busy = self._session.running.running or self.recording.recording
+        self.details.show_view(chosen, others, fixed=busy)
+        self.turns.show_plan(self.projectors.plan(), () if feed is None else feed.sensors, free=not busy)
 
     def _show_actions(self) -> None:
         opening = self._session.source.opening

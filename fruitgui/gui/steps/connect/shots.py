@@ -17,6 +17,7 @@ from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
 from fruitgui.gui.steps.connect.depth.shots import SCENES as DEPTH
 from fruitgui.gui.steps.connect.offers import SIMULATED
 from fruitgui.gui.steps.connect.page import ConnectPage
+from fruitgui.gui.steps.connect.projectors.shots import SCENES as PROJECTORS
 from fruitgui.gui.steps.connect.rules_dialog import RulesDialog
 from fruitgui.gui.tasks import TaskRunner
 from fruitgui.progress import Cancelled, Progress
@@ -183,4 +184,5 @@ SCENES: tuple[Scene, ...] = (
     Scene("connect-checkup-wrong", partial(_checkup, found=checkups.much_wrong)),
     Scene("connect-checkup-rules", _rules),
     *DEPTH,
+    *PROJECTORS,
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.theme.theme import Theme
@@ -87,10 +87,13 @@ class TurnCard(Card):
         self.body.addWidget(self.picture)
         self.body.addWidget(self.result)
         self.body.addWidget(self.why)
+        self.measure = QPushButton()
+        self.body.addWidget(self.measure)
         self._say_words()
 
-    def show_plan(self, plan: TurnPlan | None, sensors: tuple[str, ...]) -> None:
-        """Show the plan; none where no sensor runs."""
+    def show_plan(self, plan: TurnPlan | None, sensors: tuple[str, ...], *, free: bool = True) -> None:
+        """Show the plan; none where no sensor runs. While nothing else needs the sensors, they can be measured."""
+        self.measure.setEnabled(free)
         if (plan, sensors) != (self._plan, self._sensors):
             self._plan, self._sensors = plan, sensors
             self._say_words()
@@ -106,6 +109,9 @@ class TurnCard(Card):
         self.setVisible(plan is not None)
         if plan is None:
             return
+        self.measure.setText(self.tr("Measure the projectors…"))
+        self.measure.setToolTip(self.tr("How long each takes to become steady, and who blinds whom"))
+        self.measure.setVisible(len(plan.schedule.lights) > 1)
         self.set_title(self.tr("Projectors take turns") if plan.takes_turns else self.tr("Projectors"))
         self.picture.setVisible(plan.takes_turns)
         self.picture.show_schedule(self._sensors, plan.schedule)

@@ -1,0 +1,1 @@
+"""Measuring how projectors settle and whom they blind, from the window."""
