@@ -14,6 +14,7 @@ from fruitgui.gui.beginning import Begun, LinePlan, begun
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.numbers import count_text
+from fruitgui.gui.queries import Queries
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.progress import Cancelled, Progress
@@ -21,6 +22,7 @@ from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
 from fruitgui.station.live import LiveLine, LiveState, Preview
+from fruitgui.station.live.blind import Blind
 from fruitgui.station.noted import NotedSink
 
 T = TypeVar("T")
@@ -64,6 +66,9 @@ class Running(QObject):
         self._sink: NotedSink | None = None
         self._aside: SetAside | None = None
         self._state: LiveState | None = None
+        self._spells = Queries(self)
+        self._spells.failed.connect(messages.error)
+        self._noted: tuple[int, Blind | None] | None = None
         self.lot: Lot | None = None
         self.kinds: tuple[str, ...] = ()
         self.tally = Tally()
@@ -149,7 +154,8 @@ class Running(QObject):
         """Stop the line; the lot stays open and can be taken up again. Tell whether all was counted in time."""
         line, self._line = self._line, None
         self._tick.stop()
-        return True if line is None else line.stop(CLOSE_S)
+        done = True if line is None else line.stop(CLOSE_S)
+        return self._spells.finish() and done
 
     def _begin(self, plan: LinePlan, lot: Callable[[], Lot]) -> None:
         now = self._connected.feed
@@ -168,6 +174,7 @@ class Running(QObject):
         self._connected.adopt(made.feed)
         self._line, self.lot, self.kinds = made.line, made.lot, made.kinds
         self._sink, self._aside = made.sink, made.aside
+        self._noted = None
         self.tally = Tally.of(made.totals)
         self._tick.start()
         self._look()
@@ -209,6 +216,7 @@ class Running(QObject):
         if self._line is not None:
             self._state = self._line.state
             self._watch_rig(self._state)
+            self._note_spell(self._state.blind)
         now_s = time.monotonic()
         for counted in () if self._sink is None else self._sink.drain():
             self.tally.count(counted.fruit, now_s)
@@ -219,6 +227,15 @@ class Running(QObject):
         if moved != self.moved:
             self.moved = moved
             self.changed.emit()
+
+    def _note_spell(self, blind: Blind | None) -> None:
+        """Let the lot remember what of the belt nobody sees, when that changes."""
+        lot = self.lot
+        if lot is None or self._noted == (lot.key, blind):
+            return
+        first, self._noted = self._noted is None or self._noted[0] != lot.key, (lot.key, blind)
+        if not (first and blind is None):
+            self._spells.change(lambda: self._store.spells.note(lot.key, blind), lambda _: None)
 
     def _sensors_changed(self) -> None:
         """Stop the line when its sensors are taken away; the lot stays open."""

@@ -17,6 +17,11 @@ def clock_text(time_s: float) -> str:
     return _formatted(time_s, "HH:mm")
 
 
+def second_text(time_s: float) -> str:
+    """Return the time of day of a moment to the second."""
+    return _formatted(time_s, "HH:mm:ss")
+
+
 def _formatted(time_s: float, how: str) -> str:
     return QLocale().toString(QDateTime.fromSecsSinceEpoch(round(time_s)), how)
 

@@ -10,6 +10,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from fruitgui.errors import InputError
+from fruitgui.records.spells import Spell, spells_of
 from fruitgui.records.tables import LotRow, PauseRow
 
 ASKED = "asked"
@@ -66,6 +67,7 @@ class Lot:
         station_sha256: of the station's text, see `Lots.station_text`.
         started_s, ended_s: Unix seconds; open where there is no end.
         pauses: in order.
+        spells: in which sensors were away, in order.
     """
 
     key: int
@@ -81,6 +83,7 @@ class Lot:
     started_s: float
     ended_s: float | None
     pauses: tuple[Pause, ...]
+    spells: tuple[Spell, ...] = ()
 
     @property
     def paused(self) -> bool:
@@ -107,8 +110,9 @@ def lot_row(session: Session, lot: int) -> LotRow:
 
 
 def lots_of(session: Session, rows: Sequence[LotRow]) -> list[Lot]:
-    """Return rows as lots, with their pauses."""
+    """Return rows as lots, with their pauses and spells."""
     session.flush()
+    spells = spells_of(session, [row.id for row in rows])
     pauses: dict[int, list[Pause]] = {row.id: [] for row in rows}
     found = select(PauseRow).where(PauseRow.lot_id.in_(pauses)).order_by(PauseRow.from_s, PauseRow.id)
     for pause in session.scalars(found):
@@ -117,11 +121,12 @@ def lots_of(session: Session, rows: Sequence[LotRow]) -> list[Lot]:
         Lot(
             row.id, row.name, row.grower, row.recipe, row.note, row.reference_sensor, row.station_sha256, row.model,
             row.size_bands, tuple(row.outlets), row.started_s, row.ended_s, tuple(pauses[row.id]),
+            tuple(spells[row.id]),
         )
         for row in rows
     ]  # fmt: skip
 
 
 def lot_of(session: Session, row: LotRow) -> Lot:
-    """Return a row as a lot, with its pauses."""
+    """Return a row as a lot, with its pauses and spells."""
     return lots_of(session, [row])[0]

@@ -14,6 +14,7 @@ from fruitgui.errors import InputError
 from fruitgui.records.database import Database
 from fruitgui.records.lot import ASKED, NOT_RUNNING, Lot, LotPlan, lot_of, lot_row
 from fruitgui.records.lot_search import LotPage, LotQuery, find
+from fruitgui.records.spells import end_spells
 from fruitgui.records.tables import FruitRow, LotRow, PauseRow, StationCopyRow
 from fruitgui.records.totals import KindTotal, totals
 
@@ -116,6 +117,7 @@ class Lots:
                 row.ended_s = max(self._now_s(), row.started_s if pause is None else pause.from_s)
                 if pause is not None:
                     pause.to_s = row.ended_s
+                end_spells(session, lot, row.ended_s)
             return lot_of(session, row)
 
     def describe(self, lot: int, name: str, grower: str, note: str) -> Lot:
@@ -167,6 +169,7 @@ def _standstill(session: Session, lot: LotRow) -> PauseRow:
     if pause is None:
         pause = PauseRow(lot_id=lot.id, from_s=_last_sign_s(session, lot), why=NOT_RUNNING)
         session.add(pause)
+    end_spells(session, lot.id, pause.from_s)
     return pause
 
 

@@ -18,6 +18,7 @@ from fruitgui.records.migrating import PICTURES, RECORDS, bring_up_to_date, vers
 from fruitgui.records.models import Models
 from fruitgui.records.restore import finish_restore
 from fruitgui.records.settings_history import SettingsHistory
+from fruitgui.records.spells import Spells
 from fruitgui.records.teaching import Teaching
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.sink import CountedFruit, Crop
@@ -32,6 +33,7 @@ class Store:
     Attributes:
         folder: the workspace.
         lots: started, paused, ended.
+        spells: what of the belt was not seen while a lot ran.
         counting: fruit from the line.
         fruit: those that were counted, for reading.
         corrections: what people say of them.
@@ -54,6 +56,7 @@ class Store:
             raise
         self.crops = Crops(self._pictures, now_s)
         self.lots = Lots(self._records, now_s)
+        self.spells = Spells(self._records, now_s)
         self.counting = Counting(self._records, self.crops, now_s)
         self.fruit = CountedFruits(self._records, self.crops)
         self.corrections = Corrections(self._records, now_s)

@@ -66,6 +66,21 @@ class PauseRow(Base):
     why: Mapped[str]
 
 
+class SpellRow(Base):
+    """A time in which sensors were away while a lot ran, and what of the belt nobody saw."""
+
+    __tablename__ = "spell"
+
+    id: Mapped[int] = mapped_column(primary_key=True)
+    lot_id: Mapped[int] = mapped_column(ForeignKey("lot.id", ondelete="CASCADE"), index=True)
+    from_s: Mapped[float]
+    to_s: Mapped[float | None]
+    sensors: Mapped[list[Any]]
+    lanes_m: Mapped[list[Any] | None] = mapped_column(JSON(none_as_null=True))
+    width_m: Mapped[float | None]
+    share: Mapped[float]
+
+
 class FruitRow(Base):
     """A counted fruit: what the machine said, and beside it the kind that holds now."""
 

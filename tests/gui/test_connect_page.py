@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
@@ -255,13 +256,7 @@ def test_a_silent_sensor_is_said_with_its_remedy(
 def test_while_a_lot_runs_no_sensor_is_changed(
     qtbot: QtBot, rigged: Session, page: ConnectPage, rendered: FrozenSource
 ) -> None:
-    _connect(qtbot, rigged, page)
-    mounts = still_scene(3, "opposed", 4, captures=2).rig().mounts
-    serials = {sensor.info.sensor: sensor.info.serial for sensor in rendered.sensors}
-    sensors = {name: StationSensor(serials[name], one.pose, one.surface) for name, one in mounts.items()}
-    rigged.save_station(Station("kinect_1", sensors))
-    rigged.start_lot(LotPlan("Lot 1"))
-    qtbot.waitUntil(lambda: rigged.running.running, timeout=20_000)
+    _start_lot(qtbot, rigged, page, rendered)
     assert not page.change_action.isEnabled()
     assert not page.details.name.isEnabled()
     assert {name for name, button in page.details.buttons.items() if button.isEnabled()} == {"identify"}
@@ -269,6 +264,34 @@ def test_while_a_lot_runs_no_sensor_is_changed(
     rigged.running.end_lot()
     qtbot.waitUntil(lambda: not rigged.running.running, timeout=20_000)
     assert page.change_action.isEnabled()
+
+
+def test_a_lot_remembers_when_a_sensor_was_away_and_what_was_not_seen(
+    qtbot: QtBot, rigged: Session, page: ConnectPage, rendered: FrozenSource, rig: FrozenSource
+) -> None:
+    _start_lot(qtbot, rigged, page, rendered)
+    lot = rigged.running.lot
+    assert lot is not None
+    began_s = time.time()
+    rig.sensors[1].broken.set()
+    qtbot.waitUntil(lambda: len(rigged.store.lots.get(lot.key).spells) == 1, timeout=20_000)
+    rig.sensors[1].broken.clear()
+    qtbot.waitUntil(lambda: rigged.store.lots.get(lot.key).spells[0].to_s is not None, timeout=20_000)
+    rigged.running.end_lot()
+    qtbot.waitUntil(lambda: not rigged.running.running, timeout=20_000)
+    (spell,) = rigged.store.lots.get(lot.key).spells
+    assert began_s - 1.0 <= spell.from_s <= (spell.to_s or 0.0) <= time.time()
+    assert spell.blind.sensors == ("kinect_2",)
+
+
+def _start_lot(qtbot: QtBot, rigged: Session, page: ConnectPage, rendered: FrozenSource) -> None:
+    _connect(qtbot, rigged, page)
+    mounts = still_scene(3, "opposed", 4, captures=2).rig().mounts
+    serials = {sensor.info.sensor: sensor.info.serial for sensor in rendered.sensors}
+    sensors = {name: StationSensor(serials[name], one.pose, one.surface) for name, one in mounts.items()}
+    rigged.save_station(Station("kinect_1", sensors))
+    rigged.start_lot(LotPlan("Lot 1"))
+    qtbot.waitUntil(lambda: rigged.running.running, timeout=20_000)
 
 
 class _Locked:

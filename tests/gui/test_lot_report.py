@@ -14,7 +14,9 @@ from fruitgui.gui.steps.lots.report import write_report
 from fruitgui.gui.steps.lots.sheet import Sheet
 from fruitgui.gui.translate import Language
 from fruitgui.records.fruit_search import FruitQuery
+from fruitgui.records.lot import LotPlan
 from fruitgui.records.store import Store, open_store
+from fruitgui.station.live.blind import Blind
 from tests.gui.lots_made import START_S, Clock, run
 
 pytestmark = pytest.mark.usefixtures("theme")
@@ -66,6 +68,22 @@ def test_the_report_says_lot_sums_spread_corrections_and_method(
     ):  # fmt: skip
         assert part in text, part
     assert len([line for line in said if "±" in line and "\u2009l" in line]) >= 5
+
+
+def test_the_report_says_when_not_all_of_the_belt_was_seen(
+    store: Store, clock: Clock, tmp_path: Path, said: list[str]
+) -> None:
+    lot = store.lots.start(LotPlan("1184")).key
+    store.spells.note(lot, Blind(("kinect_2",), ((0.41, 0.65),), 0.65, 0.3))
+    clock.now_s += 37.0
+    store.spells.note(lot, None)
+    store.lots.end(lot)
+    write_report(store, lot, tmp_path / "a.pdf", clock.now_s)
+    words = "\n".join(said).replace("\u2009", " ")
+    assert "Not seen" in words
+    assert "fruit may have passed unseen" in words
+    assert "37 s" in words
+    assert "kinect_2 away" in words
 
 
 def test_every_page_is_a4(store: Store, clock: Clock, tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ import pytest
 from fruitgui.geometry.plane import Plane, Surface
 from fruitgui.geometry.pose import Pose
 from fruitgui.gui.kind_words import kind_name, kinds_in_order
-from fruitgui.gui.steps.lots.figures import kind_rows, read_figures, spans, times_text
+from fruitgui.gui.steps.lots.figures import kind_rows, read_figures, spans, spell_texts, times_text, unseen_text
 from fruitgui.gui.steps.lots.fruit_facts import facts, machine_text, person_text, said_lines
 from fruitgui.gui.steps.lots.fruit_pictures import way
 from fruitgui.gui.steps.lots.fruit_rows import Column, Show, Wanted, cell_text, correction_text
@@ -30,7 +30,9 @@ from fruitgui.measurement.fruit import Quantity
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot, LotPlan, Pause
 from fruitgui.records.lot_search import LotQuery
+from fruitgui.records.spells import Spell
 from fruitgui.records.store import Store, open_store
+from fruitgui.station.live.blind import Blind
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.tracking.track import PathPoint
 from tests.gui.lots_made import START_S, Clock, crops, run
@@ -103,6 +105,17 @@ def test_the_time_of_a_lot_is_cut_into_what_ran_and_what_stood_still() -> None:
     ]  # fmt: skip
     assert sum(one.to_s - one.from_s for one in parts if not one.why) == lot.ran_s(2200.0)
     assert "2 pauses, together 7\u2009min" in times_text(lot, 2200.0)
+
+
+def test_what_was_not_seen_is_said_with_how_long_and_who_was_away() -> None:
+    left, less = Blind(("kinect_2",), ((0.41, 0.65),), 0.65, 0.3), Blind(("kinect_1",), (), 0.65, 0.0)
+    lot = _lot(spells=(Spell(1100.0, 1137.0, left), Spell(1200.0, 1500.0, less), Spell(2000.0, None, left)))
+    text = unseen_text(lot, 2010.0).replace("\u2009", " ")
+    assert text == "For 47 s (2×) fruit may have passed unseen; for 5 min (1×) sizes are less sure"
+    told = spell_texts(lot, 2010.0, 2)
+    assert [lasted.replace("\u2009", " ") for _, lasted, _ in told] == ["37 s", "5 min"], "the longest, in order"
+    assert "kinect_2 away: no sensor sees the left part" in told[0][2]
+    assert unseen_text(_lot(), 2010.0) == ""
 
 
 def test_a_lot_is_running_paused_left_open_or_ended() -> None:

@@ -452,6 +452,14 @@
         <translation>{count} frutas no son de ningún tipo enseñado a la máquina; cuentan como desconocidas.</translation>
     </message>
     <message>
+        <source>Not seen</source>
+        <translation>Lo que no se vio</translation>
+    </message>
+    <message>
+        <source>And {count} shorter ones.</source>
+        <translation>Y {count} más cortas.</translation>
+    </message>
+    <message>
         <source>Fruit No.</source>
         <translation>Fruta n.º</translation>
     </message>
@@ -548,6 +556,14 @@
     <message>
         <source>{count} pauses, together {time}</source>
         <translation>{count} pausas, en total {time}</translation>
+    </message>
+    <message>
+        <source>For {time} ({count}×) fruit may have passed unseen</source>
+        <translation>Durante {time} ({count}×) pudo pasar fruta sin ser vista</translation>
+    </message>
+    <message>
+        <source>for {time} ({count}×) sizes are less sure</source>
+        <translation>durante {time} ({count}×) los tamaños son menos seguros</translation>
     </message>
     <message>
         <source>recipe {recipe}</source>

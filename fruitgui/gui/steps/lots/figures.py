@@ -9,13 +9,15 @@ from pathlib import PurePosixPath
 
 from PySide6.QtCore import QCoreApplication
 
+from fruitgui.gui.blind_words import blind_text
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import THIN, count_text, number_text
 from fruitgui.gui.steps.lots.words import NONE, kilograms_text, litres_text, measure_text, why_text
-from fruitgui.gui.times import clock_text, duration_text, moment_text
+from fruitgui.gui.times import clock_text, duration_text, moment_text, second_text
 from fruitgui.measurement.fruit import Quantity
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot
+from fruitgui.records.spells import Spell
 from fruitgui.records.store import Store
 from fruitgui.records.totals import KindTotal
 
@@ -156,6 +158,39 @@ def times_text(lot: Lot, now_s: float) -> str:
         text = translate("Lots", "{count} pauses, together {time}")
         parts.append(text.format(count=len(lot.pauses), time=duration_text(still_s)))
     return ", ".join(parts)
+
+
+def unseen_text(lot: Lot, now_s: float) -> str:
+    """Return for how long sensors were away while a lot ran, and whether fruit may have passed unseen meanwhile."""
+    lost = [one for one in lot.spells if one.blind.loses_fruit]
+    less = [one for one in lot.spells if not one.blind.loses_fruit]
+    parts = []
+    if lost:
+        text = translate("Lots", "For {time} ({count}×) fruit may have passed unseen")
+        parts.append(_lasted(text, lost, now_s))
+    if less:
+        text = translate("Lots", "for {time} ({count}×) sizes are less sure")
+        parts.append(_lasted(text, less, now_s))
+    text = "; ".join(parts)
+    return text[:1].upper() + text[1:]
+
+
+def spell_texts(lot: Lot, now_s: float, most: int) -> list[tuple[str, str, str]]:
+    """Return of each spell, the longest `most` of them in order, when it was, how long, and who saw nothing of what."""
+    longest = sorted(lot.spells, key=lambda one: -one.lasted_s(now_s))[:most]
+    return [
+        (
+            f"{second_text(one.from_s)}–{second_text(now_s if one.to_s is None else one.to_s)}",
+            duration_text(one.lasted_s(now_s)),
+            blind_text(one.blind),
+        )
+        for one in sorted(longest, key=lambda one: one.from_s)
+    ]
+
+
+def _lasted(text: str, spells: Sequence[Spell], now_s: float) -> str:
+    lasted_s = sum(one.lasted_s(now_s) for one in spells)
+    return text.format(time=duration_text(lasted_s), count=count_text(len(spells)))
 
 
 def model_name(model: str | None) -> str:

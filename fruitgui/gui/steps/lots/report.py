@@ -11,7 +11,7 @@ from PySide6.QtCore import QCoreApplication, QRectF, Qt
 from fruitgui.files import written_whole
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import THIN, count_text, number_text
-from fruitgui.gui.steps.lots.figures import model_name, of_text, spans
+from fruitgui.gui.steps.lots.figures import model_name, of_text, spans, spell_texts, unseen_text
 from fruitgui.gui.steps.lots.sheet import BODY, BODY_DIM, DIM, LINE, SECTION, SMALL, STRONG, TITLE, Sheet
 from fruitgui.gui.steps.lots.words import NONE, SPREAD, UNITS, kilograms_text, litres_text, measure_name, measure_text
 from fruitgui.gui.theme.kinds import UNKNOWN, KindMark, kind_marks
@@ -33,6 +33,9 @@ COLUMNS_PT = (0.24, 0.09, 0.10, 0.18, 0.19, 0.20)
 
 LISTED_PT = (0.14, 0.2, 0.06, 0.3, 0.3)
 """The same of the list of corrected fruit."""
+
+UNSEEN_PT = (0.22, 0.12, 0.02, 0.64)
+"""And of the list of times in which sensors were away."""
 
 MOST_LISTED = 60
 
@@ -62,6 +65,7 @@ def write_report(
             _write_head(sheet, report)
             _write_sums(sheet, report, looks)
             _write_spreads(sheet, report, looks)
+            _write_unseen(sheet, report)
             _write_corrections(sheet, report, unknown, corrected)
             _write_method(sheet, report)
         finally:
@@ -217,6 +221,26 @@ def _write_corrections(sheet: Sheet, report: LotReport, unknown: int, corrected:
         )
         sheet.words(text.format(count=count_text(unknown)))
     _list_corrected(sheet, report, corrected)
+    sheet.skip(12)
+
+
+def _write_unseen(sheet: Sheet, report: LotReport) -> None:
+    """Write when not all of the belt was seen: who is handed a count is told what it may lack."""
+    lot = report.lot
+    if not lot.spells:
+        return
+    _section(sheet, translate("LotReport", "Not seen"))
+    sheet.words(unseen_text(lot, report.made_s))
+    sheet.skip(4)
+    widths = [share * sheet.width for share in UNSEEN_PT]
+    for when, lasted, what in spell_texts(lot, report.made_s, MOST_LISTED):
+        sheet.room(15)
+        sheet.line(0, sheet.width)
+        sheet.row((when, lasted, "", sheet.elided(what, BODY, widths[3])), widths, BODY, 15, left=(0, 3))
+    more = len(lot.spells) - MOST_LISTED
+    if more > 0:
+        text = translate("LotReport", "And {count} shorter ones.")
+        sheet.words(text.format(count=count_text(more)), SMALL)
     sheet.skip(12)
 
 

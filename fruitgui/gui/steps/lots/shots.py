@@ -21,6 +21,7 @@ from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.window import MainWindow
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.store import Store, open_store
+from fruitgui.station.live.blind import Blind
 from fruitgui.station.workflow import Step
 from fruitgui.station.workspace import open_workspace
 
@@ -42,7 +43,16 @@ def _morning(store: Store, clock: _Clock, name: str = "1184", grower: str = GROW
     store.lots.pause(lot)
     clock.now_s += 1500
     store.lots.resume(lot)
-    clock.now_s += 4200
+    clock.now_s += 2000
+    for blind, lasted_s in (
+        (Blind(("kinect_2",), ((0.41, 0.65),), 0.65, 0.3), 37),
+        (Blind(("kinect_1",), (), 0.65, 0.0), 84),
+    ):
+        store.spells.note(lot, blind)
+        clock.now_s += lasted_s
+        store.spells.note(lot, None)
+        clock.now_s += 600
+    clock.now_s += 1000
     store.lots.pause(lot, "belt cleaned")
     clock.now_s += 420
     store.lots.resume(lot)

@@ -18,7 +18,9 @@ from fruitgui.gui.steps.lots.figures import (
     of_text,
     rate_text,
     spans,
+    spell_texts,
     times_text,
+    unseen_text,
 )
 from fruitgui.gui.steps.lots.spreads import Spreads
 from fruitgui.gui.steps.lots.words import kilograms_text, litres_text
@@ -26,7 +28,7 @@ from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.times import clock_text, duration_text
-from fruitgui.gui.widgets.cards import Card, label
+from fruitgui.gui.widgets.cards import Card, label, set_health
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.records.distribution import Distribution
 
@@ -37,6 +39,9 @@ WIDEST = 1080
 FIGURE_WIDTH, NAME_WIDTH = 128, 130
 TIMES_HEIGHT, BAND = 36, 12
 SPREADS_HEIGHT, LEAST_SPREADS_HEIGHT = 220, 176
+MOST_TOLD = 20
+"""Times that a pointer's rest tells of, the longest."""
+
 ROOMY = 560
 """Pixels of height from which on there is room for words that a pointer's rest tells as well."""
 
@@ -189,9 +194,10 @@ class Summary(QScrollArea):
         self._marks: Mapping[str, KindMark] = {}
         self.kinds, self.times, self.spreads = KindTable(theme), Times(theme), Spreads(theme)
         self.fruit, self.volume, self.mass = Figure(), Figure(), Figure()
-        self.when, self.note = label("", "small"), label("", "small")
-        for one in (self.when, self.note):
+        self.when, self.note, self.unseen = label("", "small"), label("", "small"), label("", "small")
+        for one in (self.when, self.note, self.unseen):
             one.setWordWrap(True)
+        set_health(self.unseen, "warn")
         figures = QHBoxLayout()
         figures.setSpacing(5 * GRID)
         for figure in (self.fruit, self.volume, self.mass):
@@ -200,6 +206,7 @@ class Summary(QScrollArea):
         top, bottom = Card(), Card()
         top.body.addLayout(figures)
         top.body.addWidget(self.times)
+        top.body.addWidget(self.unseen)
         top.body.addWidget(self.when)
         top.body.addWidget(self.kinds)
         bottom.body.addWidget(self.spreads, 1)
@@ -257,6 +264,10 @@ class Summary(QScrollArea):
             of_text(figures.weighed, figures.fruit) if figures.weighed else self.tr("no density is known"),
         )  # fmt: skip
         self.when.setText(times_text(figures.lot, figures.now_s))
+        self.unseen.setText(unseen_text(figures.lot, figures.now_s))
+        self.unseen.setVisible(bool(figures.lot.spells))
+        told = spell_texts(figures.lot, figures.now_s, MOST_TOLD)
+        self.unseen.setToolTip("\n".join(f"{when}, {lasted}: {what}" for when, lasted, what in told))
         note = self.tr(
             "± is half the width of a 95 % interval. That of sums and means holds what fruit do not share: errors that "
             "all have in common (the rig's scale, a kind's correction) are not in it."
