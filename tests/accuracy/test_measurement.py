@@ -18,6 +18,7 @@ from fruitgui.perception.perceiver import Perceiver
 from fruitgui.simulation import scenes
 from fruitgui.simulation.scenes import Conditions
 from fruitgui.simulation.simulation import Simulation, TrueFruit
+from fruitgui.tracking.track import Track
 from fruitgui.tracking.tracker import Tracker
 
 pytestmark = pytest.mark.accuracy
@@ -53,7 +54,10 @@ def measured(sim: Simulation) -> list[Measured]:
     tracker, tracks = Tracker(rig), []
     for frame in sim.frames():
         tracks += tracker.update(eyes[frame.sensor].observe(frame, frame.time_s))
-    tracks += tracker.finish()
+    return measured_tracks(sim, rig, [*tracks, *tracker.finish()])
+
+
+def measured_tracks(sim: Simulation, rig: Rig, tracks: list[Track]) -> list[Measured]:
     found = []
     for track in tracks:
         middle = track.path[len(track.path) // 2]
