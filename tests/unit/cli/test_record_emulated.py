@@ -7,6 +7,7 @@ import signal
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -68,6 +69,26 @@ def test_a_kinect_is_recorded_as_who_it_is_for_as_long_as_was_asked(tmp_path: Pa
     times_s = [frame.time_s for frame in frames]
     assert times_s == sorted(times_s)
     assert all(frame.depth_mm.shape == (480, 640) and frame.depth_mm.any() for frame in frames)
+
+
+def test_two_that_take_turns_are_both_recorded_and_nothing_of_them_is_lost(tmp_path: Path) -> None:
+    path = tmp_path / "r.mcap"
+    kinects = [{"serial": "A1", "bus": 1}, {"serial": "B2", "bus": 2}]
+    done = run_command({"kinects": kinects}, "record", "--out", str(path), "--seconds", "6", "--json")
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    assert told["lost"] == {}
+    fewer, more = sorted(told["frames"].values())
+    # One in two turns each, three frames a turn, on a computer that may have no time for either.
+    assert fewer >= 6
+    assert more <= 2 * fewer + 6
+    times_s: dict[str, list[float]] = {"kinect_1": [], "kinect_2": []}
+    for _, frame in open_recording(path).frames():
+        times_s[frame.sensor].append(frame.time_s)
+        assert frame.depth_mm.any(), "no frame is of the dark"
+    assert {sensor: len(own) for sensor, own in times_s.items()} == told["frames"]
+    order = sorted((time_s, sensor) for sensor, own in times_s.items() for time_s in own)
+    assert sum(before[1] != now[1] for before, now in pairwise(order)) >= 4, "they take turns"
 
 
 def test_one_that_is_unplugged_is_said_and_the_other_goes_on_until_ctrl_c(tmp_path: Path) -> None:
