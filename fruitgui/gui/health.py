@@ -12,6 +12,7 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer
 from fruitgui.gui.blind_words import blind_remedy, blind_text
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.queries import Queries
 from fruitgui.gui.recorder_words import clock_time
 from fruitgui.gui.session import Session
 from fruitgui.gui.top_bar import Pill, TopBar
@@ -43,8 +44,10 @@ class HealthWatch(QObject):
         self._session = session
         self._bar = bar
         self._said: set[tuple[str, tuple[str, ...], int]] = set()
+        self._free_gb: float | None = None
+        self._queries = Queries(self)
         self._timer = QTimer(self, interval=LOOK_MS)
-        self._timer.timeout.connect(self.look)
+        self._timer.timeout.connect(self._ask)
         session.running.ticked.connect(self._warn)
         session.running.changed.connect(self.look)
         session.recorder.changed.connect(self.look)
@@ -53,11 +56,23 @@ class HealthWatch(QObject):
     def start(self) -> None:
         """Begin to look, once a second."""
         self._timer.start()
-        self.look()
+        self._ask()
 
     def stop(self) -> None:
         """Look no more: the bar is about to go."""
         self._timer.stop()
+        self._queries.finish()
+
+    def _ask(self) -> None:
+        """Look, and ask beside the window how much room the disk has: one in a network may take its time."""
+        folder = self._session.workspace.folder
+        self._queries.ask("disk", lambda: shutil.disk_usage(folder).free / BYTES_PER_GB, self._take_free)
+        self.look()
+
+    def _take_free(self, free_gb: float) -> None:
+        first, self._free_gb = self._free_gb is None, free_gb
+        if first:
+            self.look()
 
     def look(self) -> None:
         """Show how all is now."""
@@ -68,8 +83,8 @@ class HealthWatch(QObject):
         recorder = self._session.recorder
         if recorder.plan is not None:
             pills.append(recording_pill(recorder.plan, recorder.state))
-        free_gb = shutil.disk_usage(self._session.workspace.folder).free / BYTES_PER_GB
-        pills.append(disk_pill(free_gb, self._session.settings.least_free_mb / 1000.0))
+        if self._free_gb is not None:
+            pills.append(disk_pill(self._free_gb, self._session.settings.least_free_mb / 1000.0))
         self._bar.show_pills(tuple(pills))
         lot = running.lot
         place = "" if lot is None else " · ".join(text for text in (lot.name, lot.grower) if text)

@@ -113,7 +113,7 @@ class ConnectPage(StepPage):
         session.station_changed.connect(self._show)
         session.projectors_changed.connect(self._show)
         session.connected.changed.connect(self._show)
-        session.connected.health_changed.connect(self._show)
+        session.connected.health_changed.connect(self._show_health)
         session.source.changed.connect(self._show)
         session.running.changed.connect(self._show)
         session.source.opened.connect(self._opened)
@@ -186,6 +186,11 @@ class ConnectPage(StepPage):
         if not choosing:
             self._show_sensors()
         self._show_actions()
+
+    def _show_health(self) -> None:
+        """Show how the sensors are, twice a second, where somebody looks."""
+        if self._in_view:
+            self._show()
 
     def _show_sensors(self) -> None:
         views, feed = self.views(), self._session.connected.feed
