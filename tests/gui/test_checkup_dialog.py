@@ -129,7 +129,7 @@ def test_it_shows_how_far_it_is_and_can_be_stopped_and_begun_again(qtbot: QtBot,
 
     dialog = opened(check)
     qtbot.waitUntil(lambda: "Watching the sensors run" in texts(dialog), timeout=LONG_MS)
-    assert dialog._bar.value() == 400
+    assert dialog._working.share == 0.4
     assert not dialog.again.isEnabled()
     qtbot.mouseClick(dialog.stop, Qt.MouseButton.LeftButton)
     done(qtbot, dialog)

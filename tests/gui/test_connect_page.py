@@ -171,7 +171,7 @@ def test_sensors_start_again_by_themselves_at_the_next_start(
     qtbot: QtBot, rigged: Session, page: ConnectPage, theme: Theme, rig: FrozenSource
 ) -> None:
     _connect(qtbot, rigged, page)
-    page._rename("left")
+    page.changes.rename("left")
     _running(qtbot, rigged, page)
     rigged.connected.stop()
     again = Session(open_workspace(rigged.workspace.folder), sources=frozen_sources(rig))

@@ -75,7 +75,7 @@ def test_what_is_measured_and_kept_is_gone_by_at_once_and_after_a_restart(
     dialog = _opened(qtbot, page)
     assert not dialog.keep.isVisible()
     qtbot.mouseClick(dialog.begin, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: dialog.progress > 0.1, timeout=LONG_MS)
+    qtbot.waitUntil(lambda: dialog.working.share > 0.1, timeout=LONG_MS)
     assert not dialog.begin.isEnabled()
     qtbot.waitUntil(lambda: not dialog.busy, timeout=LONG_MS)
     words = "\n".join(one.text() for one in dialog.findChildren(type(dialog._title)))
@@ -98,7 +98,7 @@ def test_what_is_measured_and_kept_is_gone_by_at_once_and_after_a_restart(
 def test_stopping_and_closing_in_the_middle_change_nothing(qtbot: QtBot, session: Session, page: ConnectPage) -> None:
     dialog = _opened(qtbot, page)
     qtbot.mouseClick(dialog.begin, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: dialog.busy and bool(dialog._doing.text()), timeout=LONG_MS)
+    qtbot.waitUntil(lambda: dialog.busy and bool(dialog.working.doing.text()), timeout=LONG_MS)
     qtbot.mouseClick(dialog.stop, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not dialog.busy, timeout=LONG_MS)
     assert "stopped" in dialog._note.text()

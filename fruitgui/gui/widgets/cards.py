@@ -82,6 +82,14 @@ def set_health(widget: QWidget, health: str) -> None:
         widget.style().polish(widget)
 
 
+def set_role(widget: QWidget, role: str) -> None:
+    """Dress a widget in one of the theme's roles, such as `main` for the button that one is to press."""
+    if widget.property("role") != role:
+        widget.setProperty("role", role)
+        widget.style().unpolish(widget)
+        widget.style().polish(widget)
+
+
 def spacer() -> QWidget:
     """Return a widget that takes what room is left."""
     made = QWidget()

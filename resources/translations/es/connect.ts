@@ -676,14 +676,6 @@
         <source>Recordings (*.mcap *.bag);;All files (*)</source>
         <translation>Grabaciones (*.mcap *.bag);;Todos los archivos (*)</translation>
     </message>
-    <message>
-        <source>{sensor} is left out.</source>
-        <translation>{sensor} queda fuera.</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
-    </message>
 </context>
 <context>
     <name>ControllerCard</name>
@@ -1392,6 +1384,17 @@
     <message>
         <source>What is done, and the rules</source>
         <translation>Lo que se hace, y las reglas</translation>
+    </message>
+</context>
+<context>
+    <name>SensorChanges</name>
+    <message>
+        <source>{sensor} is left out.</source>
+        <translation>{sensor} queda fuera.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
 </context>
 <context>

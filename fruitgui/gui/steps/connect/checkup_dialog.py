@@ -9,7 +9,6 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
-    QProgressBar,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -25,7 +24,8 @@ from fruitgui.gui.steps.connect.rules_dialog import RulesDialog
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
-from fruitgui.gui.widgets.cards import EmptyPlace, label
+from fruitgui.gui.widgets.cards import EmptyPlace, label, set_role
+from fruitgui.gui.widgets.working import Working
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.sensors.usb.machine import Machine
 from fruitgui.sensors.usb.udev import RulesInstall, install_rules, rules_install
@@ -53,9 +53,10 @@ class CheckupDialog(QDialog):
         self._checkup: Checkup | None = None
         self._note = ""
         self.rules: RulesDialog | None = None
-        self._title, self._summary, self._doing = label("", "page"), label("", "dim"), label("", "small")
-        self._bar, self._scroll = QProgressBar(), QScrollArea()
-        self.again, self.stop, self.copy = QPushButton(), QPushButton(), QPushButton()
+        self._title, self._summary = label("", "page"), label("", "dim")
+        self._working, self._scroll = Working(), QScrollArea()
+        self.stop = self._working.stop
+        self.again, self.copy = QPushButton(), QPushButton()
         self.let_me, self.leave = QPushButton(), QPushButton()
         self._lay_out()
         self._connect()
@@ -104,21 +105,9 @@ class CheckupDialog(QDialog):
         super().changeEvent(event)
 
     def _lay_out(self) -> None:
-        self._bar.setRange(0, 1000)
-        self._bar.setTextVisible(False)
         self._summary.setWordWrap(True)
         self._scroll.setWidgetResizable(True)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        working = QHBoxLayout()
-        working.setSpacing(2 * GRID)
-        words = QVBoxLayout()
-        words.addWidget(self._doing)
-        words.addWidget(self._bar)
-        working.addLayout(words, 1)
-        working.addWidget(self.stop)
-        self._working = QWidget()
-        self._working.setLayout(working)
-        working.setContentsMargins(0, 0, 0, 0)
         buttons = QHBoxLayout()
         buttons.setSpacing(GRID)
         for button in (self.copy, self.let_me):
@@ -141,7 +130,7 @@ class CheckupDialog(QDialog):
         self.copy.clicked.connect(self._copy)
         self.let_me.clicked.connect(self._ask_for_rules)
         self.leave.clicked.connect(self.accept)
-        for button in (self.again, self.stop, self.copy, self.let_me):
+        for button in (self.again, self.copy, self.let_me):
             button.setAutoDefault(False)
         self.leave.setDefault(True)
 
@@ -180,8 +169,8 @@ class CheckupDialog(QDialog):
         self.copy.setEnabled(self._checkup is not None)
         closed = self._checkup is not None and needs_rules(self._checkup.all_problems)
         self.let_me.setVisible(closed)
-        _dress(self.let_me, "main" if closed else "plain")
-        _dress(self.leave, "plain" if closed else "main")
+        set_role(self.let_me, "main" if closed else "plain")
+        set_role(self.leave, "plain" if closed else "main")
 
     def _contents(self) -> QWidget:
         checkup = self._checkup
@@ -206,8 +195,7 @@ class CheckupDialog(QDialog):
         return inner
 
     def _show_progress(self, share: float, doing: str) -> None:
-        self._bar.setValue(round(share * 1000))
-        self._doing.setText(doing)
+        self._working.show_progress(share, doing)
 
     # what is done
 
@@ -224,14 +212,13 @@ class CheckupDialog(QDialog):
 
     def _ended(self) -> None:
         self._task = None
-        self._bar.setValue(0)
-        self._doing.setText("")
+        self._working.show_progress(0.0, "")
         self._show()
 
     def _stop(self) -> None:
         if self._task is not None:
             self._task.cancel()
-            self._doing.setText(self.tr("Stopping …"))
+            self._working.doing.setText(self.tr("Stopping …"))
 
     def _copy(self) -> None:
         if self._checkup is not None:
@@ -264,10 +251,3 @@ class CheckupDialog(QDialog):
     def _install_ended(self) -> None:
         self._installing = None
         self._show_busy()
-
-
-def _dress(button: QPushButton, role: str) -> None:
-    if button.property("role") != role:
-        button.setProperty("role", role)
-        button.style().unpolish(button)
-        button.style().polish(button)

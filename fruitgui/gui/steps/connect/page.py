@@ -10,6 +10,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.connect.changes import SensorChanges
 from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
 from fruitgui.gui.steps.connect.chooser import SourceChooser
 from fruitgui.gui.steps.connect.depth.wizard import DepthWizard
@@ -25,8 +26,6 @@ from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.station.checkup.job import CheckupPlan, check_up
 from fruitgui.station.checkup.measuring import MeasuringBeside, measure
-from fruitgui.station.connection import Connection
-from fruitgui.station.connection_changes import moved, referred_to, renamed, without
 from fruitgui.station.workflow import Step
 
 SIDE_WIDTH = 336
@@ -48,6 +47,7 @@ class ConnectPage(StepPage):
         self._in_view = False
         self.chooser, self.tiles = SourceChooser(theme), SensorTiles(theme)
         self.details, self.turns = SensorDetails(theme), TurnCard(theme)
+        self.changes = SensorChanges(session, self.details, lambda: self._chosen, self._note_chosen)
         self.recording = RecordDesk(session, theme, self)
         self.projectors = ProjectorDesk(session, theme, self)
         self.depth_wizard = DepthWizard(session, theme)
@@ -121,11 +121,7 @@ class ConnectPage(StepPage):
         self.chooser.changed.connect(self._show_actions)
         self.chooser.file_wanted.connect(self._ask_for_file)
         self.tiles.chosen.connect(self._choose)
-        self.details.renamed.connect(self._rename)
-        self.details.moved.connect(self._move)
         self.details.identify.connect(self._identify)
-        self.details.reference.connect(self._refer)
-        self.details.leave.connect(self._leave_out)
         self.details.correct_depth.connect(self._correct_depth)
         self.turns.measure.clicked.connect(self.projectors.ask)
         self.depth_wizard.changed.connect(self._show_actions)
@@ -294,8 +290,11 @@ class ConnectPage(StepPage):
         self.checkup.open()
 
     def _choose(self, name: str) -> None:
-        self._chosen = name
+        self._note_chosen(name)
         self._show()
+
+    def _note_chosen(self, name: str) -> None:
+        self._chosen = name
 
     def _identify(self) -> None:
         self.tiles.flash(self._chosen)
@@ -303,31 +302,3 @@ class ConnectPage(StepPage):
     def _correct_depth(self) -> None:
         self.depth_wizard.begin(self._chosen)
         self._show()
-
-    def _rename(self, name: str) -> None:
-        connection = self._session.connection
-        if connection is not None:
-            changed = renamed(connection, self._chosen, name)
-            self._chosen = name
-            self._session.save_connection(changed)
-            self._session.start_sensors()
-
-    def _move(self, by: int) -> None:
-        if self._session.connection is not None:
-            self._session.save_connection(moved(self._session.connection, self._chosen, by))
-
-    def _refer(self) -> None:
-        if self._session.connection is not None:
-            self._session.save_connection(referred_to(self._session.connection, self._chosen))
-
-    def _leave_out(self) -> None:
-        before, name = self._session.connection, self._chosen
-        if before is not None and len(before.sensors) > 1:
-            self._session.save_connection(without(before, name))
-            self._session.start_sensors()
-            text = self.tr("{sensor} is left out.").format(sensor=name)
-            self._session.messages.info(text, self.tr("Undo"), lambda: self._restore(before))
-
-    def _restore(self, connection: Connection) -> None:
-        self._session.save_connection(connection)
-        self._session.start_sensors()

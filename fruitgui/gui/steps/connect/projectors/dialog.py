@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QProgressBar, QPushButton, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui import error_words
@@ -13,7 +13,8 @@ from fruitgui.gui.steps.connect.projectors.result import result_cards
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
-from fruitgui.gui.widgets.cards import EmptyPlace, label
+from fruitgui.gui.widgets.cards import EmptyPlace, label, set_role
+from fruitgui.gui.widgets.working import Working
 from fruitgui.station.projector_job import Tried
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.turn_plan import TurnPlan
@@ -47,10 +48,11 @@ class ProjectorsDialog(QDialog):
         self._tried: Tried | None = None
         self._failure: FruitguiError | None = None
         self._stopped = False
-        self._trying = ""
-        self._title, self._note, self._doing = label("", "page"), label("", "dim"), label("", "small")
-        self._bar, self._scroll = QProgressBar(), QScrollArea()
-        self.begin, self.stop, self.keep, self.leave = QPushButton(), QPushButton(), QPushButton(), QPushButton()
+        self._share, self._trying = 0.0, ""
+        self._title, self._note = label("", "page"), label("", "dim")
+        self.working, self._scroll = Working(), QScrollArea()
+        self.stop = self.working.stop
+        self.begin, self.keep, self.leave = QPushButton(), QPushButton(), QPushButton()
         self._lay_out()
         self._connect()
         self._say_words()
@@ -65,11 +67,6 @@ class ProjectorsDialog(QDialog):
         """Whether it measures."""
         return self._task is not None
 
-    @property
-    def progress(self) -> float:
-        """How far it is, 0–1."""
-        return self._bar.value() / self._bar.maximum()
-
     def done(self, result: int) -> None:
         """Stop what runs, then close."""
         if self._task is not None:
@@ -83,20 +80,9 @@ class ProjectorsDialog(QDialog):
         super().changeEvent(event)
 
     def _lay_out(self) -> None:
-        self._bar.setRange(0, 1000)
-        self._bar.setTextVisible(False)
         self._note.setWordWrap(True)
         self._scroll.setWidgetResizable(True)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        words = QVBoxLayout()
-        words.addWidget(self._doing)
-        words.addWidget(self._bar)
-        self._working = QWidget()
-        working = QHBoxLayout(self._working)
-        working.setContentsMargins(0, 0, 0, 0)
-        working.setSpacing(2 * GRID)
-        working.addLayout(words, 1)
-        working.addWidget(self.stop)
         buttons = QHBoxLayout()
         buttons.setSpacing(GRID)
         buttons.addStretch()
@@ -105,7 +91,7 @@ class ProjectorsDialog(QDialog):
         column = QVBoxLayout(self)
         column.setContentsMargins(3 * GRID, 3 * GRID, 3 * GRID, 3 * GRID)
         column.setSpacing(2 * GRID)
-        for widget in (self._title, self._note, self._working):
+        for widget in (self._title, self._note, self.working):
             column.addWidget(widget)
         column.addWidget(self._scroll, 1)
         column.addLayout(buttons)
@@ -116,7 +102,7 @@ class ProjectorsDialog(QDialog):
         self.stop.clicked.connect(self._stop)
         self.keep.clicked.connect(self._keep)
         self.leave.clicked.connect(self.reject)
-        for button in (self.begin, self.stop, self.keep, self.leave):
+        for button in (self.begin, self.keep, self.leave):
             button.setAutoDefault(False)
 
     def _say_words(self) -> None:
@@ -148,13 +134,13 @@ class ProjectorsDialog(QDialog):
         self._say_doing()
         self._note.setText(self._note_text())
         self._note.setVisible(bool(self._note.text()))
-        self._working.setVisible(self.busy)
+        self.working.setVisible(self.busy)
         self.begin.setEnabled(not self.busy)
         worth_it = self._tried is not None and bool(self._tried.projectors.settlings)
         self.keep.setEnabled(worth_it and not self.busy)
         self.keep.setVisible(self._tried is not None)
-        _dress(self.keep, "main" if worth_it else "plain")
-        _dress(self.begin, "plain" if worth_it else "main")
+        set_role(self.keep, "main" if worth_it else "plain")
+        set_role(self.begin, "plain" if worth_it else "main")
         (self.keep if worth_it else self.begin).setDefault(True)
         before = self._scroll.takeWidget()
         self._scroll.setWidget(self._contents())
@@ -181,13 +167,12 @@ class ProjectorsDialog(QDialog):
         return EmptyPlace(self._theme, "connect", what, how)
 
     def _show_progress(self, share: float, doing: str) -> None:
-        self._bar.setValue(round(share * 1000))
-        self._trying = doing
+        self._share, self._trying = share, doing
         self._say_doing()
 
     def _say_doing(self) -> None:
         text = self.tr("Stopping …") if self._task is not None and self._task.stopping else self.tr("Trying {sensors}")
-        self._doing.setText(text.format(sensors=self._trying) if self._trying else "")
+        self.working.show_progress(self._share, text.format(sensors=self._trying) if self._trying else "")
 
     # what is done
 
@@ -214,8 +199,7 @@ class ProjectorsDialog(QDialog):
 
     def _ended(self) -> None:
         self._task = None
-        self._bar.setValue(0)
-        self._trying = ""
+        self._share, self._trying = 0.0, ""
         self._say_words()
 
     def _stop(self) -> None:
@@ -227,10 +211,3 @@ class ProjectorsDialog(QDialog):
         if self._tried is not None:
             self.kept.emit(self._tried.projectors)
             self.accept()
-
-
-def _dress(button: QPushButton, role: str) -> None:
-    if button.property("role") != role:
-        button.setProperty("role", role)
-        button.style().unpolish(button)
-        button.style().polish(button)

@@ -103,6 +103,9 @@ def _turns(stage: Stage) -> Iterator[QWidget]:
 SCENES = (
     Scene("connect-turns", _turns),
     Scene("connect-projectors", partial(_dialog, measure=_at_once, until=None)),
-    Scene("connect-projectors-measuring", partial(_dialog, measure=_goes_on, until=lambda dialog: dialog.progress > 0)),
+    Scene(
+        "connect-projectors-measuring",
+        partial(_dialog, measure=_goes_on, until=lambda dialog: dialog.working.share > 0),
+    ),
     Scene("connect-projectors-result", partial(_dialog, measure=_at_once, until=lambda dialog: not dialog.busy)),
 )
