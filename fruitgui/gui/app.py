@@ -24,6 +24,7 @@ from fruitgui.gui.pages import PageMaking, Pages
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.settings_dialog import SettingsDialog
+from fruitgui.gui.speed_watch import SpeedWatch
 from fruitgui.gui.store_trouble import StoreTrouble, opened
 from fruitgui.gui.tasks import unexpected_error
 from fruitgui.gui.theme.theme import Theme, load_fonts
@@ -65,6 +66,7 @@ class Application(QObject):
         self.page_making = PageMaking(self.window, self.window.page, self)
         self.page_making.done.connect(self._collector.leave_out)
         self._health = HealthWatch(self.session, self.window.top_bar, self)
+        self._speed_watch = SpeedWatch(self.session, self)
         self._housekeeping = Housekeeping(self.session, self)
         self._giving_back = GivingBack(self)
         self._connect()

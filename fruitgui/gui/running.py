@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QDateTime, QLocale, QObject, QTimer, Signal
 
-from fruitgui.errors import FruitguiError, InputError
+from fruitgui.errors import FruitguiError, InputError, WorldError
 from fruitgui.gui.beginning import Begun, LinePlan, begun
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Messages
@@ -112,7 +112,11 @@ class Running(QObject):
 
     def find_open_lot(self) -> None:
         """Look for a lot that was left open when the program ended; it can be taken up."""
-        self.lot = self._store.lots.open_lot()
+        try:
+            self.lot = self._store.lots.left_open()
+        except WorldError as error:
+            self._messages.error(error)
+            self.lot = self._store.lots.open_lot()
         if self.lot is not None:
             self.tally = Tally.of(self._store.lots.totals(self.lot.key))
         self.changed.emit()
@@ -154,6 +158,7 @@ class Running(QObject):
         """Stop the line; the lot stays open and can be taken up again. Tell whether all was counted in time."""
         line, self._line = self._line, None
         self._tick.stop()
+        self._note_spell(None)
         done = True if line is None else line.stop(CLOSE_S)
         return self._spells.finish() and done
 
@@ -216,7 +221,7 @@ class Running(QObject):
         if self._line is not None:
             self._state = self._line.state
             self._watch_rig(self._state)
-            self._note_spell(self._state.blind)
+            self._note_spell(None if self.paused else self._state.blind)
         now_s = time.monotonic()
         for counted in () if self._sink is None else self._sink.drain():
             self.tally.count(counted.fruit, now_s)
@@ -244,6 +249,7 @@ class Running(QObject):
             return
         self._line = None
         self._tick.stop()
+        self._note_spell(None)
 
         def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - it ends within seconds
             line.stop()

@@ -75,6 +75,22 @@ class Lots:
             row = _open(session)
             return None if row is None else lot_of(session, row)
 
+    def left_open(self) -> Lot | None:
+        """Return the lot on which no line runs any more though it was not ended; None where all are.
+
+        What was not seen when it was left ends with its last sign: for how long after that, nobody knows.
+
+        Raises:
+            WorldError: that cannot be kept.
+        """
+        lot = self.open_lot()
+        if lot is None or all(spell.to_s is not None for spell in lot.spells):
+            return lot
+        with self._database.writing() as session:
+            row = lot_row(session, lot.key)
+            end_spells(session, row.id, _last_sign_s(session, row))
+            return lot_of(session, row)
+
     def pause(self, lot: int, why: str = ASKED) -> Lot:
         """Let a lot stand still; one that does already stays as it is."""
         with self._database.writing() as session:

@@ -13,6 +13,7 @@ from fruitgui.geometry.rig import Rig
 from fruitgui.sensors.sensor import Projector, SensorInfo
 from fruitgui.sensors.turns import USUAL_HZ, Schedule, Settling, lights_of, turns
 from fruitgui.station.station import Station
+from fruitgui.tracking.follow import FASTEST_M_S
 
 WHOLE_FRUIT_M = 0.10
 """A fruit so long is to be seen whole: so much of the view is lost at its ends."""
@@ -31,7 +32,8 @@ class TurnPlan:
         overlaps_known: calibration told who overlaps; before that every sensor is alone.
         nominal_hz: by sensor, frames per second were it alone.
         rates_hz: by sensor, what its turns leave of them.
-        highest_speed_m_s: of the belt, for three views of each fruit by each sensor.
+        highest_speed_m_s: of the belt, for three views of each fruit by each sensor; none is followed that is faster
+            than `FASTEST_M_S`.
         clashes: pairs that see the same place and cannot take turns: one of their projectors cannot be switched.
     """
 
@@ -75,7 +77,7 @@ def turn_plan(
         overlaps is not None,
         nominal_hz,
         {name: schedule.rate_hz(name, nominal_hz[name]) for name in infos},
-        min(speeds_m_s, default=0.0),
+        min([*speeds_m_s, FASTEST_M_S]) if infos else 0.0,
         tuple(pair for pair in overlaps or () if _clash(*(infos[name].projector for name in pair))),
     )
 

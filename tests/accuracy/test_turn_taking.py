@@ -28,11 +28,11 @@ FRUIT = 18
 
 
 def test_fruit_are_counted_once_and_measured_at_the_speed_that_turns_allow() -> None:
-    for speed_m_s in (0.25, None):
-        sim, tracks, highest_m_s = followed(speed_m_s)
+    for seed, speed_m_s in ((43, 0.25), (43, None), (50, None), (56, None), (61, None)):
+        sim, tracks, highest_m_s = followed(speed_m_s, seed)
         found = measured_tracks(sim, as_registered(sim), tracks)
         counted = Counter(one.true.fruit_id for one in found)
-        say(f"taking turns, {speed_m_s or highest_m_s:.2f} m/s", errors(found))
+        say(f"taking turns, seed {seed}, {speed_m_s or highest_m_s:.2f} m/s", errors(found))
         assert len(tracks) == FRUIT
         assert set(counted.values()) == {1}
         assert len(counted) == FRUIT
@@ -42,9 +42,9 @@ def test_fruit_are_counted_once_and_measured_at_the_speed_that_turns_allow() -> 
         assert volume_error(found) < 0.06
 
 
-def followed(speed_m_s: float | None) -> tuple[Simulation, list[Track], float]:
+def followed(speed_m_s: float | None, seed: int) -> tuple[Simulation, list[Track], float]:
     """Return a line, the fruit that were followed on it, and the highest speed that the turns of its sensors allow."""
-    still = scenes.line_scene(43, FRUIT, 0.25)
+    still = scenes.line_scene(seed, FRUIT, 0.25)
     infos = {
         name: replace(sensor_info(still, name), rate_hz=RATE_HZ, projector=Projector.SWITCHED) for name in still.sensors
     }
@@ -52,7 +52,7 @@ def followed(speed_m_s: float | None) -> tuple[Simulation, list[Track], float]:
     plan = turn_plan(infos, {name: seen_length_m(info.intrinsics, None) for name, info in infos.items()}, rig)
     assert plan.takes_turns
     assert overlapping(rig)
-    sim = scenes.line_scene(43, FRUIT, plan.highest_speed_m_s if speed_m_s is None else speed_m_s)
+    sim = scenes.line_scene(seed, FRUIT, plan.highest_speed_m_s if speed_m_s is None else speed_m_s)
     ends_s = max(one.time_s for one in sim.captures)
     sim = Simulation(replace(sim.scene, captures=tuple(kept(plan.schedule, ends_s))))
     rig = as_registered(sim)
@@ -83,7 +83,10 @@ def volume_error(found: list[Measured]) -> float:
 
 
 if __name__ == "__main__":
-    for wanted in map(float, sys.argv[1:]):
-        line, ways, highest = followed(wanted or None)
-        there = measured_tracks(line, as_registered(line), ways)
-        say(f"{wanted or highest:.2f} m/s of {highest:.2f}: {len(ways)} tracks, {len(there)} fruit", errors(there))
+    first, last, *speeds = map(float, sys.argv[1:])
+    for number in range(int(first), int(last)):
+        for wanted in speeds:
+            line, ways, highest = followed(wanted or None, number)
+            there = measured_tracks(line, as_registered(line), ways)
+            text = f"seed {number}, {wanted or highest:.2f} m/s of {highest:.2f}: {len(ways)} tracks of {FRUIT} fruit"
+            say(f"{text}, {len({one.true.fruit_id for one in there})} distinct", errors(there))

@@ -277,9 +277,16 @@ def test_a_lot_remembers_when_a_sensor_was_away_and_what_was_not_seen(
     qtbot.waitUntil(lambda: len(rigged.store.lots.get(lot.key).spells) == 1, timeout=20_000)
     rig.sensors[1].broken.clear()
     qtbot.waitUntil(lambda: rigged.store.lots.get(lot.key).spells[0].to_s is not None, timeout=20_000)
-    rigged.running.end_lot()
-    qtbot.waitUntil(lambda: not rigged.running.running, timeout=20_000)
-    (spell,) = rigged.store.lots.get(lot.key).spells
+    rigged.running.pause()
+    qtbot.waitUntil(lambda: rigged.running.paused, timeout=20_000)
+    rig.sensors[1].broken.set()
+    qtbot.waitUntil(lambda: rigged.running.state is not None and rigged.running.state.blind is not None, timeout=20_000)
+    assert len(rigged.store.lots.get(lot.key).spells) == 1, "what passes uncounted is not missed"
+    rigged.running.resume()
+    qtbot.waitUntil(lambda: len(rigged.store.lots.get(lot.key).spells) == 2, timeout=20_000)
+    assert rigged.running.close()
+    spell, left = rigged.store.lots.get(lot.key).spells
+    assert left.to_s is not None, "of a lot that is left open nothing goes on"
     assert began_s - 1.0 <= spell.from_s <= (spell.to_s or 0.0) <= time.time()
     assert spell.blind.sensors == ("kinect_2",)
 

@@ -68,7 +68,7 @@ class Reader:
         self._newest: Frame | None = None
         self._state = Running.STOPPED
         self._error: FruitguiError | None = None
-        self._opened = 0
+        self._tried = self._opened = 0
         self._abandoned = False
         self._stop = threading.Event()
         self._again = threading.Event()
@@ -121,7 +121,7 @@ class Reader:
             drops=self._pulse.drops,
             damaged=self._pulse.damaged,
             age_s=None if newest_s is None else now_s - newest_s,
-            reopened=max(self._opened - 1, 0),
+            reopened=max(self._tried - 1, 0),
             hangs=self._sensor.hangs,
             blinded_by=self._keeper.blinding(self.name) if turns else (),
             color_lock=self._sensor.info.color_lock,
@@ -150,9 +150,10 @@ class Reader:
         opened = False
         failure: FruitguiError | None = None
         try:
-            self._opened += 1
+            self._tried += 1
             self._sensor.open()
             opened = True
+            self._opened += 1
             self.info = self._sensor.info
             self._seat.prepare()
             self._sensor.start()

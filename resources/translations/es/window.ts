@@ -413,6 +413,17 @@
     </message>
 </context>
 <context>
+    <name>SpeedWatch</name>
+    <message>
+        <source>The belt runs at {speed}; these sensors follow fruit up to {highest}.</source>
+        <translation>La cinta va a {speed}; estos sensores siguen la fruta hasta {highest}.</translation>
+    </message>
+    <message>
+        <source>Slow it down: fruit may be missed, or counted twice. Step 1 says what limits the speed.</source>
+        <translation>Redúzcala: puede faltar fruta, o contarse dos veces. El paso 1 dice qué limita la velocidad.</translation>
+    </message>
+</context>
+<context>
     <name>Steadiness</name>
     <message>
         <source>The depth of {sensor} still drifts: it warms up.</source>

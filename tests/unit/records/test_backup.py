@@ -28,6 +28,7 @@ from fruitgui.records.restore import (
     restore,
 )
 from fruitgui.records.store import open_store
+from fruitgui.station.live.blind import Blind
 from tests.unit.station.fruit_made import made_crops, made_fruit
 
 NOW_S = 1_800_000_000.0
@@ -296,3 +297,20 @@ def test_a_restore_that_was_laid_ready_can_be_called_off(tmp_path: Path) -> None
     assert not is_prepared(folder)
     assert _contents(folder) == before
     assert _count(folder) == 13
+
+
+def test_what_was_not_seen_goes_into_a_backup_and_comes_back(tmp_path: Path) -> None:
+    folder = tmp_path / "line"
+    _work(folder)
+    blind = Blind(("kinect_2",), ((0.41, 0.65),), 0.65, 0.3)
+    with open_store(folder) as store:
+        lot = store.lots.open_lot()
+        assert lot is not None
+        store.spells.note(lot.key, blind)
+        back_up(folder, tmp_path / "b.zip", NOW_S)
+        store.spells.note(lot.key, None)
+    restore(folder, tmp_path / "b.zip", NOW_S)
+    with open_store(folder) as store:
+        restored = store.lots.open_lot()
+        assert restored is not None
+        assert [(one.blind, one.to_s) for one in restored.spells] == [(blind, None)]

@@ -63,9 +63,12 @@ def test_what_a_crash_left_going_on_ends_with_the_last_sign_of_the_lot(tmp_path:
     os.kill(process.pid, signal.SIGKILL)
     process.join()
     with open_store(tmp_path, lambda: 9000.0) as store:
-        left_open = store.lots.open_lot()
+        open_lot = store.lots.open_lot()
+        assert open_lot is not None
+        assert [one.to_s for one in open_lot.spells] == [None]
+        left_open = store.lots.left_open()
         assert left_open is not None
-        assert [one.to_s for one in left_open.spells] == [None]
+        assert [one.to_s for one in left_open.spells] == [1000.0], "it does not grow until taken up"
         taken_up = store.lots.take_up(lot)
         (spell,) = taken_up.spells
         assert (spell.from_s, spell.to_s, spell.blind) == (1000.0, 1000.0, LEFT)

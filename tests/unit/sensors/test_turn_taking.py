@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import pairwise
 
 import pytest
 
+from fruitgui.errors import WorldError
+from fruitgui.frame import Frame
 from fruitgui.sensors.feed import Arrival, Feed, Running, Subscription
-from fruitgui.sensors.sensor import Projector
+from fruitgui.sensors.feed.reader import LATER_TURNS_S
+from fruitgui.sensors.sensor import Projector, SensorTimeoutError
 from fruitgui.sensors.turns import Light, Schedule, Settling, turns
 from tests.unit.sensors.lit_room import LitRoom, LitSensor, holes
 from tests.unit.sensors.scripted import until
@@ -311,3 +315,32 @@ def test_a_rehearsal_hears_everything_and_nobody_else_does() -> None:
     assert together == pytest.approx([0.15] * len(together), abs=1e-3)
     assert apart == pytest.approx([0.05] * len(apart), abs=1e-3)
     assert max(holes(one.frame.depth_mm) for one in seen if one.lit.frames == 0) > 0.4
+
+
+def test_one_whose_first_opening_failed_has_the_same_patience_for_its_first_frame() -> None:
+    room = LitRoom()
+
+    class Late(LitSensor):
+        """Cannot be opened at first, and then gives nothing for longer than one that was heard before may."""
+
+        silent_until_s = 0.0
+        failed = False
+
+        def open(self) -> None:
+            super().open()
+            if not self.failed:
+                self.failed = True
+                raise WorldError("in_use", "The device is in use.", "Close the other program.")
+
+        def read(self, timeout_s: float) -> Frame:
+            if self.info.sensor in room.lit():
+                self.silent_until_s = self.silent_until_s or time.monotonic() + 1.6 * LATER_TURNS_S
+                if time.monotonic() < self.silent_until_s:
+                    time.sleep(timeout_s)
+                    raise SensorTimeoutError(self.info.sensor, timeout_s)
+            return super().read(timeout_s)
+
+    late, other = Late("late", room), LitSensor("other", room)
+    with running(late, other) as feed:
+        until(lambda: feed.health("late").frames > 3, LONG_S)
+        assert late.calls.count("open") == 2, "it was given the time for its first frame"
