@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
+from fruitgui.gui.qt_classes import make_classes
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
@@ -92,6 +93,7 @@ class PageMaking(QObject):
 
     def __init__(self, window: QWidget, make: Callable[[Step], object], parent: QObject | None = None) -> None:
         super().__init__(parent)
+        make_classes()
         self._make = make
         self._wanted = list(Step)
         self._loaded: set[Step] = set()

@@ -63,3 +63,23 @@ def test_the_window_loads_no_screen_before_one_is_wanted() -> None:
     )
     said = subprocess.run([sys.executable, "-c", told], capture_output=True, text=True, check=True)
     assert said.stdout.strip() == "['fruitgui.gui.steps.page']"
+
+
+def test_all_of_qts_classes_are_there_before_the_loader_may_run() -> None:
+    program = """
+from PySide6 import QtCore, QtGui, QtWidgets
+from fruitgui.gui.app import make_qt
+from fruitgui.gui.pages import PageMaking
+qt = make_qt()
+lazy = {module: set(dir(module)) - set(vars(module)) for module in (QtCore, QtGui, QtWidgets)}
+making = PageMaking(QtWidgets.QWidget(), print)
+for module, names in lazy.items():
+    print(len(names), len(names - set(vars(module))))
+print(making.running)
+"""
+    told = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, timeout=60)
+    *counts, running = told.stdout.split()
+    lazy, left = counts[::2], counts[1::2]
+    assert sum(map(int, lazy)) > 300
+    assert left == ["0", "0", "0"]
+    assert running == "False"
