@@ -125,6 +125,7 @@ def warning_message(warning: LiveWarning, blind: Blind | None = None) -> Message
         "clock_put_right": _clock_put_right, "sensor_not_matched": _not_matched, "frame_skipped": _skipped,
         "fruit_not_measured": _not_measured, "fruit_not_counted": _not_counted,
         "part_blind": _away, "sensor_away": _away, "may_be_blinded": _may_be_blinded,
+        "not_drawn": _not_drawn, "not_watched": _not_watched,
     }.get(warning.code)  # fmt: skip
     if words is None:
         return Message(Level.WARN, warning.text)
@@ -196,6 +197,20 @@ def _may_be_blinded() -> tuple[str, str]:
         QCoreApplication.translate(
             "Health", "Depth may have holes and sizes may be wrong. Unplug the sensor that gives no pictures."
         ),
+    )
+
+
+def _not_drawn() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "What {sensors} sees could not be drawn; fruit are counted all the same."),
+        QCoreApplication.translate("Health", "The log says what went wrong: open the help, then Show log."),
+    )
+
+
+def _not_watched() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "Whether every sensor gives pictures is not known; the line goes on."),
+        QCoreApplication.translate("Health", "Look at the pictures; the log says what went wrong."),
     )
 
 

@@ -54,7 +54,7 @@ class FirstLook:
         """Take what was just followed and the fruit that it finished; return those that may be counted now."""
         leaving: list[Leaving] = [(one, lot) for one in parted]
         if not self._open or (not self._seen and not observation.views):
-            return leaving
+            return [*self.released(), *leaving]
         self._seen.append(_Seen(observation, lot))
         self._held += leaving
         lasted_s = observation.time_s - self._seen[0].observation.time_s
@@ -63,14 +63,19 @@ class FirstLook:
     def settle(self) -> list[Leaving]:
         """Judge the clocks by what was seen, if that was not done; return the fruit that were held back."""
         if not self._open:
-            return []
+            return self.released()
         self._open = False
         seen, self._seen = self._seen, []
-        held, self._held = self._held, []
         observations = sorted((one.observation for one in seen), key=lambda one: one.time_s)
         rig = self._following.rig
         self.offsets_s = decided_offsets_s(observations, rig, belt_of_one_sensor(observations, rig))
+        held = self.released()
         return self._again(seen, held) if self.offsets_s else held
+
+    def released(self) -> list[Leaving]:
+        """Return what was held back, if judging the clocks failed and left it."""
+        held, self._held = self._held, []
+        return held
 
     def _again(self, seen: list[_Seen], held: list[Leaving]) -> list[Leaving]:
         """Follow what was seen once more, with clocks put right."""

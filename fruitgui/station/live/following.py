@@ -101,17 +101,18 @@ class Following:
         self._opinions = Opinions(bench)
         self._trails: dict[int, _Trail] = {}
         self._live: tuple[LiveTrack, ...] = ()
+        self._left: list[Track] = []
         self.velocity_m_s: F64 | None = station.velocity_m_s
         self.above.head_along(station.velocity_m_s)
 
     def follow(self, frame: Frame, observation: Observation, now_s: float) -> list[Parted]:
         """Take an observation and its frame; return the fruit that it finished."""
         self._bumps.see_frame(observation.sensor, frame)
-        tracks = self._update(observation)
+        self._update(observation)
         for view, track in self._tracker.shown:
             self._album.look(track, view, frame)
         self._opinions.form(self._tracker, self._live, now_s)
-        return self._parted(tracks)
+        return self._parted()
 
     def begin_anew(self, cuts: Iterable[Cut]) -> None:
         """Forget all fruit in view; what was seen of them will come again.
@@ -121,22 +122,21 @@ class Following:
         """
         self._tracker = Tracker(self.rig, self._known_belt)
         self._opinions = Opinions(self._bench)
-        self._trails, self._live = {}, ()
+        self._trails, self._live, self._left = {}, (), []
         self._album.begin_anew(cuts)
 
     def follow_again(self, observation: Observation) -> list[Parted]:
         """Take an observation that was followed before, without its frame; return the fruit that it finished."""
-        tracks = self._update(observation)
+        self._update(observation)
         for view, track in self._tracker.shown:
             self._album.find(track, view)
-        return self._parted(tracks)
+        return self._parted()
 
-    def _update(self, observation: Observation) -> list[Track]:
-        tracks = self._tracker.update(observation)
+    def _update(self, observation: Observation) -> None:
+        self._left += self._tracker.update(observation)
         self._live = self._tracker.live
         self._watch_belt()
         self._note()
-        return tracks
 
     @property
     def stale(self) -> dict[tuple[str, ...], str]:
@@ -145,9 +145,9 @@ class Following:
 
     def finish(self) -> list[Parted]:
         """Return the fruit still in view, as far as they count; nothing is in view afterwards."""
-        tracks = self._tracker.finish()
+        self._left += self._tracker.finish()
         self._live = ()
-        return self._parted(tracks)
+        return self._parted()
 
     def _watch_belt(self) -> None:
         """Take the belt's velocity where enough fruit show it; one that is leaving, cut by an edge, does not."""
@@ -171,8 +171,11 @@ class Following:
         """Look at a fruit that left for good, for whether two sensors saw it at one place."""
         self._bumps.close.see_track(parted.track)
 
-    def _parted(self, tracks: list[Track]) -> list[Parted]:
-        return [Parted(track, self._album.take(track.track)) for track in tracks]
+    def _parted(self) -> list[Parted]:
+        """Return what left, with what left before an error kept it from being returned."""
+        parted = [Parted(track, self._album.take(track.track)) for track in self._left]
+        self._left = []
+        return parted
 
     def tracks_now(self) -> tuple[TrackNow, ...]:
         """Return the fruit in view."""

@@ -8,21 +8,20 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
-from concurrent.futures import Future
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
+from functools import partial
 
-from fruitgui.frame import Frame
-from fruitgui.perception.view import Observation
-from fruitgui.sensors.feed import Arrival, ByCapture, Feed, Subscription
+from fruitgui.sensors.feed import ByCapture, Feed, Subscription
 from fruitgui.station.lineup import line_up
 from fruitgui.station.live.bench import Bench
 from fruitgui.station.live.counting import Counting, Teacher
 from fruitgui.station.live.first_look import FirstLook, Leaving
 from fruitgui.station.live.following import Following
-from fruitgui.station.live.helper import Hands, HelperLostError, JobError, Look, attempted
+from fruitgui.station.live.helper import Hands
 from fruitgui.station.live.intake import LIVE, ClockWatch, Intake
+from fruitgui.station.live.perceiving import Perceived, Perceiving
 from fruitgui.station.live.sensor_watch import SensorWatch
+from fruitgui.station.live.showing import Showing
 from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
 from fruitgui.station.live.warnings import Warnings
 from fruitgui.station.model import Model
@@ -35,22 +34,9 @@ PERCEIVED_AHEAD = 6
 FRUIT_AHEAD = 64
 """Fruit that wait to be measured and kept before the line waits for them."""
 
-SHOWN_HZ = 25.0
-"""States are made no more often: nobody sees more."""
-
 LATENCIES = 30
 TAKE_S, RETRY_S = 0.2, 2.0
 STOP_S = 15.0
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Perceived:
-    """One frame on its way: what was perceived in it, once that is done."""
-
-    arrival: Arrival
-    frame: Frame
-    look: Look
-    answer: Future[Any]
 
 
 class LiveLine:
@@ -88,27 +74,24 @@ class LiveLine:
         self._lineup = line_up(station, feed.infos.values())
         hands = Hands(self._lineup.eyes, self._lineup.rig, model)
         self._bench = Bench(hands)
-        self._looker = hands.worker()
         self._order = ByCapture(self._lineup.offsets_s, intake.patience_s)
-        self._clocks = ClockWatch(intake.jump_s)
         self._warnings = Warnings(self._lineup.warnings)
+        self._perceiving = Perceiving(
+            self._lineup, self._bench, hands.worker(), self._order, ClockWatch(intake.jump_s), self._warnings
+        )
         self._following = Following(self._lineup.rig, station, self._bench)
+        self._showing = Showing(self._following)
         self._first_look = FirstLook(self._following)
         self._put_right: set[str] = set()
-        self._leaps_s = dict(self._lineup.offsets_s)
         self._sensors = SensorWatch(self._lineup.station_id, self._following.above, intake.away, self._warnings.add)
         self._counting = Counting(self._lineup.rig, hands.worker(), self._bench, sink, teacher, self._warnings.add)
-        self._perceived: queue.Queue[_Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
+        self._perceived: queue.Queue[Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
         self._parted: queue.Queue[Leaving | None] = queue.Queue(FRUIT_AHEAD)
         self._subscription: Subscription | None = None
         self._threads: tuple[threading.Thread, ...] = ()
         self._latencies: deque[float] = deque(maxlen=LATENCIES)
-        self._previews: dict[str, Preview] = {}
-        self._drawn = LiveState(Phase.STOPPED)
         self._phase = Phase.STOPPED
         self._frames = self._skipped = 0
-        self._shown_s = 0.0
-        self._preview_due_s: dict[str, float] = {}
 
     def start(self) -> None:
         """Start. Once only: make a new line to start again."""
@@ -151,7 +134,7 @@ class LiveLine:
         """How the line is: what is in view as of the last observation, everything else as of now."""
         subscription = self._subscription
         return replace(
-            self._drawn,
+            self._showing.drawn,
             phase=self._phase,
             lot=self._lot,
             totals=self._counting.totals,
@@ -171,7 +154,7 @@ class LiveLine:
     @property
     def previews(self) -> dict[str, Preview]:
         """The newest picture of each sensor, by its id in the feed."""
-        return dict(self._previews)
+        return dict(self._showing.previews)
 
     @property
     def warnings(self) -> tuple[LiveWarning, ...]:
@@ -184,90 +167,76 @@ class LiveLine:
     def _perceive_all(self) -> None:
         subscription = self._subscription
         assert subscription is not None  # noqa: S101 - made before this thread was started
-        while not subscription.over:
-            arrival = subscription.take(TAKE_S)
+        try:
+            while not subscription.over:
+                arrival = subscription.take(TAKE_S)
+                self._watch_sensors()
+                if arrival is not None and arrival.frame.sensor in self._lineup.eyes:
+                    self._perceived.put(self._perceiving.begin(arrival))
+        finally:
+            self._perceived.put(None)
+
+    def _watch_sensors(self) -> None:
+        try:
             self._sensors.look(self._feed.health, time.monotonic())
-            if arrival is not None and arrival.frame.sensor in self._lineup.eyes:
-                self._perceived.put(self._perceive(arrival))
-        self._perceived.put(None)
-
-    def _perceive(self, arrival: Arrival) -> _Perceived:
-        frame = self._lineup.corrected(arrival.frame)
-        self._watch_clock(arrival)
-        look = Look(frame, self._time_s(frame))
-        answer = self._bench.hand(look)
-        if answer is None:
-            answer = self._looked(look)
-        return _Perceived(arrival, frame, look, answer)
-
-    def _looked(self, look: Look) -> Future[Any]:
-        """Perceive here."""
-        done, error = attempted(self._looker, look)
-        answer: Future[Any] = Future()
-        if error is None:
-            answer.set_result(done)
-        else:
-            answer.set_exception(JobError(error))
-        return answer
-
-    def _time_s(self, frame: Frame) -> float:
-        """Return a frame's capture time, before what the first look may find."""
-        return frame.time_s + self._leaps_s.get(frame.sensor, 0.0)
-
-    def _watch_clock(self, arrival: Arrival) -> None:
-        sensor = arrival.frame.sensor
-        leap_s = self._clocks.leap_s(sensor, self._time_s(arrival.frame), arrival.arrived_s)
-        if leap_s:
-            self._leaps_s[sensor] = self._leaps_s.get(sensor, 0.0) + leap_s
-            self._order.shift({sensor: leap_s})
-            text = f"The clock of sensor {sensor} leapt by {-leap_s:+.1f} s; it is followed on from there."
-            self._warnings.add("clock_jumped", text, (sensor,))
+        except Exception as error:  # noqa: BLE001 - the line goes on without; it is said
+            self._warnings.add("not_watched", f"Whether every sensor gives pictures is not known: {error}", ())
 
     # The second thread: fruit followed.
 
     def _follow_all(self) -> None:
-        while (perceived := self._perceived.get()) is not None:
-            self._let_go(self._followed(perceived))
-        self._let_go(self._settled())
-        self._let_go([(parted, self._lot) for parted in self._following.finish()])
-        self._draw()
-        self._parted.put(None)
+        try:
+            while (perceived := self._perceived.get()) is not None:
+                self._let_go(self._followed(perceived))
+            remaining = self._remaining()
+            self._let_go(remaining)
+            self._look_on(remaining, tuple(self._lineup.eyes), partial(self._showing.draw, None))
+        finally:
+            self._parted.put(None)
 
     def _let_go(self, leaving: list[Leaving]) -> None:
         """Hand fruit on to be counted."""
-        for parted, lot in leaving:
-            self._following.see_off(parted)
-            self._parted.put((parted, lot))
+        for one in leaving:
+            self._parted.put(one)
 
-    def _followed(self, perceived: _Perceived) -> list[Leaving]:
+    def _remaining(self) -> list[Leaving]:
+        """Return the fruit that still wait for the clocks to be judged, or are in view, when no more is to come."""
+        leaving: list[Leaving] = []
+        for rest in (self._settled, self._first_look.released, self._in_view):
+            try:
+                leaving += rest()
+            except Exception as error:  # noqa: BLE001 - the others are counted all the same; it is said
+                text = f"Fruit that were in view at the end may not be counted: {error}"
+                self._warnings.add("fruit_not_counted", text, ())
+        return leaving
+
+    def _settled(self) -> list[Leaving]:
+        leaving = self._first_look.settle()
+        self._put_clocks_right()
+        return leaving
+
+    def _in_view(self) -> list[Leaving]:
+        return [(parted, self._lot) for parted in self._following.finish()]
+
+    def _followed(self, perceived: Perceived) -> list[Leaving]:
         sensor = perceived.frame.sensor
+        leaving: list[Leaving] = []
         try:
-            observation = self._first_look.right(self._observation(perceived))
+            observation = self._first_look.right(self._perceiving.observation(perceived))
             parted = self._following.follow(perceived.frame, observation, time.monotonic())
             leaving = self._first_look.take(observation, parted, self._lot)
             self._put_clocks_right()
         except Exception as error:  # noqa: BLE001 - one frame must not end the line; it is said
-            self._skipped += 1
-            self._warnings.add("frame_skipped", f"A frame of sensor {sensor} could not be used: {error}", (sensor,))
-            return []
+            self._skip(sensor, error)
+            return leaving
         self._frames += 1
         self._latencies.append(time.monotonic() - perceived.arrival.arrived_s)
-        self._show(perceived.arrival, observation)
+        self._look_on(leaving, (sensor,), partial(self._showing.show, perceived.arrival, observation))
         return leaving
 
-    def _observation(self, perceived: _Perceived) -> Observation:
-        try:
-            found: Observation = perceived.answer.result()
-        except HelperLostError:
-            again: Observation = self._looked(perceived.look).result()
-            return again
-        return found
-
-    def _settled(self) -> list[Leaving]:
-        """Return the fruit that still wait for the clocks to be judged, when no more is to come."""
-        leaving = self._first_look.settle()
-        self._put_clocks_right()
-        return leaving
+    def _skip(self, sensor: str, error: Exception) -> None:
+        self._skipped += 1
+        self._warnings.add("frame_skipped", f"A frame of sensor {sensor} could not be used: {error}", (sensor,))
 
     def _put_clocks_right(self) -> None:
         """Let frames leave the queue in the order of clocks put right, once the first look has found how."""
@@ -281,24 +250,14 @@ class LiveLine:
                     "clock_put_right", text + "saw; it was put right before any fruit was counted.", (name,)
                 )
 
-    def _show(self, arrival: Arrival, observation: Observation) -> None:
-        now_s, sensor = time.monotonic(), arrival.frame.sensor
-        due_s, period_s = self._preview_due_s.get(sensor, 0.0), 1.0 / SHOWN_HZ
-        if now_s >= due_s:  # counted from when it was due, or frames nearly as far apart would leave out every other
-            self._preview_due_s[sensor] = max(due_s, now_s - period_s) + period_s
-            self._previews[sensor] = self._following.preview(arrival, observation.sensor)
-        if now_s - self._shown_s >= 1.0 / SHOWN_HZ:
-            self._shown_s = now_s
-            self._draw(observation.time_s)
-
-    def _draw(self, time_s: float | None = None) -> None:
-        self._drawn = replace(
-            self._drawn,
-            time_s=self._drawn.time_s if time_s is None else time_s,
-            tracks=self._following.tracks_now(),
-            footprints_m=self._following.above.footprints_m,
-            belt_velocity_m_s=self._following.velocity_m_s,
-        )
+    def _look_on(self, leaving: list[Leaving], sensors: tuple[str, ...], draw: Callable[[], None]) -> None:
+        """Watch by the fruit that left whether the rig was bumped, and draw."""
+        try:
+            for parted, _ in leaving:
+                self._following.see_off(parted)
+            draw()
+        except Exception as error:  # noqa: BLE001 - fruit are counted all the same; it is said
+            self._warnings.add("not_drawn", f"What is counted could not be drawn: {error}", sensors)
 
     # The third thread: fruit measured, kept, counted.
 
@@ -307,18 +266,17 @@ class LiveLine:
             try:
                 leaving = self._parted.get(timeout=RETRY_S)
             except queue.Empty:
-                self._counting.retry()
+                self._attempt(self._counting.retry)
                 continue
             if leaving is None:
                 break
-            self._count(leaving)
-        self._counting.retry()
+            self._attempt(partial(self._counting.count, *leaving))
+        self._attempt(self._counting.retry)
         if self._phase is Phase.RUNNING:
             self._phase = Phase.ENDED
 
-    def _count(self, leaving: Leaving) -> None:
-        parted, lot = leaving
+    def _attempt(self, count: Callable[[], None]) -> None:
         try:
-            self._counting.count(parted, lot)
+            count()
         except Exception as error:  # noqa: BLE001 - one fruit must not end the line; it is said
             self._warnings.add("fruit_not_counted", f"A fruit was followed but could not be counted: {error}", ())

@@ -153,6 +153,18 @@
         <translation>La profundidad puede tener huecos y los tamaños pueden ser erróneos. Desenchufe el sensor que no da imágenes.</translation>
     </message>
     <message>
+        <source>What {sensors} sees could not be drawn; fruit are counted all the same.</source>
+        <translation>No se pudo dibujar lo que ve {sensors}; la fruta se cuenta igualmente.</translation>
+    </message>
+    <message>
+        <source>Whether every sensor gives pictures is not known; the line goes on.</source>
+        <translation>No se sabe si todos los sensores dan imágenes; la línea sigue.</translation>
+    </message>
+    <message>
+        <source>Look at the pictures; the log says what went wrong.</source>
+        <translation>Mire las imágenes; el registro dice qué falló.</translation>
+    </message>
+    <message>
         <source>A fruit was followed but could not be counted.</source>
         <translation>Una fruta se siguió pero no se pudo contar.</translation>
     </message>

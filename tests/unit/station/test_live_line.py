@@ -5,9 +5,10 @@ from __future__ import annotations
 import multiprocessing
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,7 +19,12 @@ from fruitgui.sensors.depth_correction import DepthCorrection
 from fruitgui.sensors.feed import Feed, Running
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.sensor import Sensor
-from fruitgui.station.live import FLAT_OUT, LIVE, Finished, Intake, LiveLine, Phase
+from fruitgui.station.live import FLAT_OUT, LIVE, Finished, Intake, LiveLine, Phase, first_look
+from fruitgui.station.live.counting import Counting
+from fruitgui.station.live.following import Following
+from fruitgui.station.live.opinions import Opinions
+from fruitgui.station.live.sensor_watch import SensorWatch
+from fruitgui.station.live.showing import Showing
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.waiting import BufferedSink
 from tests.unit.perception.spheres import Ball, Table
@@ -160,6 +166,88 @@ def test_a_frame_that_cannot_be_used_is_said_and_skipped() -> None:
         assert (state.skipped, state.frames) == (1, len(frames) - 1)
         assert [(one.code, one.sensors) for one in state.warnings] == [("frame_skipped", ("left",))]
         assert len(sink.kept) == 3
+
+
+def failing_once_it_is_due(when: Callable[..., bool], part: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a part of the line that raises instead of working, whenever it is due."""
+
+    def works_or_fails(*given: Any, **named: Any) -> Any:  # noqa: ANN401
+        if when(*given):
+            raise ValueError("a part that fails")
+        return part(*given, **named)
+
+    return works_or_fails
+
+
+@pytest.mark.parametrize(
+    ("room", "name", "said"),
+    [
+        (Showing, "show", "not_drawn"),
+        (Following, "see_off", "not_drawn"),
+        (Following, "preview", "not_drawn"),
+        (Following, "tracks_now", "not_drawn"),
+        (SensorWatch, "look", "not_watched"),
+        (Counting, "retry", "fruit_not_counted"),
+    ],
+)
+def test_a_part_that_fails_is_said_and_nothing_stands_still(
+    monkeypatch: pytest.MonkeyPatch, room: type, name: str, said: str
+) -> None:
+    monkeypatch.setattr(room, name, failing_once_it_is_due(lambda *_: True, getattr(room, name)))
+    frames = passing("left")
+    left = Small("left", frames)
+    left.end()
+    line, feed, sink = line_of(left)
+    with running(line, feed):
+        assert line.wait(60.0)
+        state = line.state
+        assert (state.phase, state.frames, state.skipped) == (Phase.ENDED, len(frames), 0)
+        assert {one.code for one in state.warnings} == {said}
+    assert len(sink.kept) == 3
+
+
+def test_fruit_that_left_with_a_frame_that_failed_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    failed = list[int]()
+
+    def at_leaving(*_: object) -> bool:
+        if following := [one for one in at_work if one._left]:
+            failed.append(len(following[0]._left))
+        return bool(following)
+
+    at_work = list[Following]()
+    begin = Following.__init__
+
+    def noted(following: Following, *given: Any) -> None:  # noqa: ANN401
+        begin(following, *given)
+        at_work.append(following)
+
+    monkeypatch.setattr(Following, "__init__", noted)
+    monkeypatch.setattr(Opinions, "form", failing_once_it_is_due(at_leaving, Opinions.form))
+    frames = passing("left")
+    left = Small("left", frames)
+    left.end()
+    line, feed, sink = line_of(left)
+    with running(line, feed):
+        assert line.wait(60.0)
+        assert line.state.skipped == len(failed) > 0
+        assert {one.code for one in line.state.warnings} == {"frame_skipped"}
+    assert len(sink.kept) == 3
+
+
+def test_fruit_that_waited_for_clocks_that_could_not_be_judged_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object) -> dict[str, float]:
+        raise ValueError("clocks that cannot be judged")
+
+    monkeypatch.setattr(first_look, "decided_offsets_s", fail)
+    sensors = tuple(Small(name, passing(name)) for name in ("left", "right"))
+    for sensor in sensors:
+        sensor.end()
+    line, feed, sink = line_of(*sensors)
+    with running(line, feed):
+        assert line.wait(60.0)
+        assert {one.code for one in line.state.warnings} <= {"frame_skipped", "fruit_not_counted"}
+        assert line.state.warnings
+    assert len(sink.kept) == 3
 
 
 def test_while_the_disk_is_full_nothing_is_counted_and_then_everything_is() -> None:
