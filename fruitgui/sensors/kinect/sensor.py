@@ -165,6 +165,7 @@ class KinectSensor:
         if self._session is not None and not self._session.close():
             self._left.add(self._session)
         self._session, self._device = None, None
+        self._captures.begin_anew()  # six megabytes that nobody will read
 
     def _light(self, led: Led) -> None:
         """Show whether it is in use, as far as it has a light."""

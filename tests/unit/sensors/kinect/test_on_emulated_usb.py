@@ -479,3 +479,19 @@ def test_the_factory_s_words_are_understood_as_the_library_does(usb: Emulation, 
     assert np.abs(table[..., 1] - own_v)[inside_picture].max() < 0.56
     freenect.destroy_registration(ctypes.byref(says))
     device.close()
+
+
+@inside
+def test_one_that_is_given_back_keeps_no_pictures(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"))
+    (sensor,) = sensors_of("A1")
+    waiting = sensor._captures._waiting
+    end_s, count = time.monotonic() + READ_S, 0
+    while len(waiting) < 2 and time.monotonic() < end_s:
+        push(usb, 0, count := count + 1)
+    assert len(waiting) >= 2
+    usb.plug(0, on=False)
+    sensor.close()
+    assert not waiting
+    assert not sensor._captures._pairing._depth
+    assert not sensor._captures._pairing._color
