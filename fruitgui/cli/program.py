@@ -13,6 +13,7 @@ from fruitgui import __version__
 from fruitgui.cli import calibrate, demo, evaluate, record, run, sensors, study, train, window
 from fruitgui.cli.console import Console
 from fruitgui.errors import CancelledByUserError, FruitguiError, InputError, WorldError
+from fruitgui.heap import keep_few_heaps
 
 COMMANDS = (demo, sensors, record, calibrate, train, run, study, evaluate)
 
@@ -94,5 +95,6 @@ def _run(given: list[str], console: Console) -> int:
         options = parser().parse_args(given)
     except SystemExit as done:  # --help and --version end here
         return int(done.code or 0)
+    keep_few_heaps()
     code = options.run(options, console)
     return int(code)

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import ctypes
-import sys
-from collections.abc import Callable
-from functools import cache
-
 from PySide6.QtCore import QObject, QTimer
 
 from fruitgui.gui.queries import Queries
+from fruitgui.heap import give_back
 
 EVERY_MS = 60_000
 
@@ -40,22 +36,5 @@ class GivingBack(QObject):
         self.queries.ask("memory", give_back, _nothing)
 
 
-def give_back() -> bool:
-    """Give what is free back to the system; tell whether there was some. Any thread may call."""
-    return bool(_trim()(0))
-
-
 def _nothing(_given: bool) -> None:
     """Nobody waits for it."""
-
-
-@cache
-def _trim() -> Callable[[int], int]:
-    """Return the C library's own way, which only GNU's has; others give back by themselves."""
-    if not sys.platform.startswith("linux"):
-        return lambda _keep: 0
-    try:
-        trim: Callable[[int], int] = ctypes.CDLL(None).malloc_trim
-    except AttributeError:
-        return lambda _keep: 0
-    return trim

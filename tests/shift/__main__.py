@@ -8,7 +8,9 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
 from collections import Counter
+from pathlib import Path
 
 from tests.emulated_usb.outside import environment
 
@@ -25,7 +27,8 @@ def main() -> int:
     from tests.emulated_usb.emulation import Emulation
     from tests.shift.shift import run
 
-    outcome = run(Emulation(), 60.0 * options.minutes, options.seed)
+    with tempfile.TemporaryDirectory() as folder:
+        outcome = run(Emulation(), 60.0 * options.minutes, options.seed, Path(folder))
     said = dataclasses.asdict(outcome)
     said["happened"] = Counter(one.what for one in outcome.happened)
     json.dump(said, sys.stdout, indent=2)

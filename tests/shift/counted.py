@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from fruitgui.station.fruit import Fruit
+from fruitgui.station.sink import CountedFruit, Crop, FruitSink
 from tests.shift.belt import ENTRY_M, SENSORS_M, SPACING_S, SPEED_M_S, Ball, ball
 
 SEEN_FROM_S, SEEN_TO_S = ((end_m - ENTRY_M) / SPEED_M_S for end_m in (-0.3, 0.3))
@@ -34,7 +35,40 @@ class Count:
     volume_error: float
 
 
-def counted(fruit: Sequence[Fruit], began_s: float, span_s: tuple[float, float], seed: int) -> Count:
+@dataclass(frozen=True, slots=True)
+class Sighting:
+    """Where a fruit was in the middle of its way, and its volume as measured; reference frame."""
+
+    time_s: float
+    x_m: float
+    y_m: float
+    volume_m3: float
+
+
+class SeenSink:
+    """Keeps fruit in another sink, and of those that are kept no more than is needed to know which balls they were.
+
+    Args:
+        sink: keeps fruit.
+
+    Attributes:
+        seen: one for each fruit that was kept.
+    """
+
+    def __init__(self, sink: FruitSink) -> None:
+        self._sink = sink
+        self.seen: list[Sighting] = []
+
+    def commit(self, lot: int, fruit: Fruit, crops: Sequence[Crop]) -> CountedFruit:
+        """Keep one fruit, see `FruitSink.commit`."""
+        counted = self._sink.commit(lot, fruit, crops)
+        middle = fruit.path[len(fruit.path) // 2]
+        x_m, y_m, _ = middle.position_m
+        self.seen.append(Sighting(middle.time_s, float(x_m), float(y_m), fruit.volume_m3.value))
+        return counted
+
+
+def counted(fruit: Sequence[Sighting], began_s: float, span_s: tuple[float, float], seed: int) -> Count:
     """Hold what was counted against the balls that passed.
 
     Args:
@@ -49,7 +83,7 @@ def counted(fruit: Sequence[Fruit], began_s: float, span_s: tuple[float, float],
     often = Counter(one.number for one in found if one is not None)
     passed = [one.number for one in balls if from_s < one.time_s + SEEN_FROM_S and one.time_s + SEEN_TO_S < to_s]
     errors = [
-        one.volume_m3.value / (4 / 3 * np.pi * true.radius_m**3) - 1
+        one.volume_m3 / (4 / 3 * np.pi * true.radius_m**3) - 1
         for one, true in zip(fruit, found, strict=True)
         if true is not None
     ]
@@ -62,10 +96,8 @@ def counted(fruit: Sequence[Fruit], began_s: float, span_s: tuple[float, float],
     )
 
 
-def _ball_of(fruit: Fruit, began_s: float, balls: Sequence[Ball]) -> Ball | None:
+def _ball_of(fruit: Sighting, began_s: float, balls: Sequence[Ball]) -> Ball | None:
     """Return the ball that was where a fruit was counted, when it was there."""
-    middle = fruit.path[len(fruit.path) // 2]
-    x_m, y_m, _ = middle.position_m
-    entered_s = middle.time_s - began_s - (float(x_m) + SENSORS_M[0] - ENTRY_M) / SPEED_M_S
-    near = [one for one in balls if abs(one.time_s - entered_s) < NEAR_S and abs(one.y_m - float(y_m)) < NEAR_M]
+    entered_s = fruit.time_s - began_s - (fruit.x_m + SENSORS_M[0] - ENTRY_M) / SPEED_M_S
+    near = [one for one in balls if abs(one.time_s - entered_s) < NEAR_S and abs(one.y_m - fruit.y_m) < NEAR_M]
     return min(near, key=lambda one: abs(one.time_s - entered_s), default=None)

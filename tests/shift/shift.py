@@ -6,9 +6,13 @@ import gc
 import logging
 import threading
 from dataclasses import dataclass
+from pathlib import Path
 
 import psutil
 
+from fruitgui.heap import give_back, keep_few_heaps
+from fruitgui.records.lot import LotPlan
+from fruitgui.records.store import Store
 from fruitgui.sensors.feed import Feed, Running
 from fruitgui.sensors.kinect.driver import KinectDriver
 from fruitgui.station.live import LIVE, LiveLine
@@ -17,11 +21,11 @@ from fruitgui.station.waiting import BufferedSink
 from tests.emulated_usb.emulation import Emulation, Kinect
 from tests.emulated_usb.player import Player
 from tests.shift import belt
-from tests.shift.counted import Count, counted
+from tests.shift.counted import Count, SeenSink, counted
 from tests.shift.fast_time import FastTime
+from tests.shift.given_out import given_out_mb
 from tests.shift.mishaps import Mishap, mishaps
 from tests.shift.watching import Watcher, unsaid
-from tests.unit.station.memory_sink import MemorySink
 
 SERIALS = ("A1", "B2")
 HOLD_MS = 2000
@@ -35,9 +39,15 @@ _MOST_WAITING = 6
 
 @dataclass(frozen=True, slots=True)
 class InUse:
-    """Memory, threads, file handles, and handles of the emulated bus that the process has."""
+    """What the process has.
+
+    Attributes:
+        memory_mb: that the C library gave out and did not get back. resident_mb: that the system gave the process.
+        threads, files, usb: threads, file handles, handles of the emulated bus.
+    """
 
     memory_mb: float
+    resident_mb: float
     threads: int
     files: int
     usb: int
@@ -50,6 +60,7 @@ class Outcome:
     Attributes:
         device_s, wall_s: how long it was, and how long it took.
         count: of the balls.
+        told, kept: fruit that the store said it kept, and those that it has of the lot at the end.
         happened, unsaid: what went wrong, and what of it nobody said.
         frames, skipped: of the line.
         warnings: of the line, in words.
@@ -60,6 +71,8 @@ class Outcome:
     device_s: float
     wall_s: float
     count: Count
+    told: int
+    kept: int
     happened: tuple[Mishap, ...]
     unsaid: tuple[Mishap, ...]
     frames: int
@@ -83,8 +96,21 @@ class _Jumps(logging.Handler):
             self.at_s.append(self._time.now_s())
 
 
-def run(usb: Emulation, seconds: float, seed: int) -> Outcome:
-    """Run a shift of so many seconds of the devices' time; the process's clock is not to be trusted afterwards."""
+def run(usb: Emulation, seconds: float, seed: int, folder: Path) -> Outcome:
+    """Run a shift of so many seconds of the devices' time; the process's clock is not to be trusted afterwards.
+
+    Args:
+        usb: the emulated bus.
+        seconds: of the devices' time.
+        seed: of the mishaps and of the balls.
+        folder: empty, for the store.
+    """
+    keep_few_heaps()
+    with Store(folder) as store:
+        return _run(usb, seconds, seed, store)
+
+
+def _run(usb: Emulation, seconds: float, seed: int, store: Store) -> Outcome:
     time = FastTime(_BEGINNING_RATE)
     time.install()
     real_s = time.real_s()
@@ -92,8 +118,9 @@ def run(usb: Emulation, seconds: float, seed: int) -> Outcome:
     happening = mishaps(seed, seconds, len(SERIALS))
     driver = KinectDriver(time.now_s)
     source = DevicesSource(tuple(DeviceId(driver.make, serial) for serial in SERIALS), lambda: [driver])
-    feed, sink = Feed(source.connect().sensors), MemorySink()
-    line = LiveLine(feed, belt.station(feed.sensors, SERIALS), None, BufferedSink(sink), 1, LIVE)
+    feed, sink = Feed(source.connect().sensors), SeenSink(store)
+    lot = store.lots.start(LotPlan("Shift")).key
+    line = LiveLine(feed, belt.station(feed.sensors, SERIALS), None, BufferedSink(sink), lot, LIVE)
     player = Player(usb, belt.Belt(seed), [fault for one in happening for fault in one.faults], HOLD_MS, seed)
     jumps = _Jumps(time)
     logging.getLogger("fruitgui.sensors.kinect").addHandler(jumps)
@@ -116,7 +143,9 @@ def run(usb: Emulation, seconds: float, seed: int) -> Outcome:
     return Outcome(
         ended_s,
         time.real_s() - real_s,
-        counted([one.fruit for one, _ in sink.kept], player.began_s, (began_s - player.began_s, ended_s), seed),
+        counted(sink.seen, player.began_s, (began_s - player.began_s, ended_s), seed),
+        len(sink.seen),
+        sum(one.fruit for one in store.lots.totals(lot)),
         tuple(happening),
         tuple(unsaid(happening, watcher.said, [at_s - player.began_s for at_s in jumps.at_s])),
         state.frames,
@@ -150,9 +179,13 @@ def _govern(player: Player, line: LiveLine, time: FastTime, until_s: float) -> N
 
 
 def _in_use(usb: Emulation) -> InUse:
+    """Return what is in use, without what is only not given back."""
     gc.collect()
+    give_back()
     process = psutil.Process()
-    return InUse(process.memory_info().rss / 1e6, threading.active_count(), process.num_fds(), usb.left_open[0])
+    return InUse(
+        given_out_mb(), process.memory_info().rss / 1e6, threading.active_count(), process.num_fds(), usb.left_open[0]
+    )
 
 
 def _settled(time: FastTime) -> int:

@@ -29,7 +29,9 @@ OPEN_S = 2.0
 def main() -> int:
     """Time the window and print the figures."""
     from fruitgui.gui.benchmark.figure import head
+    from fruitgui.heap import keep_few_heaps
 
+    keep_few_heaps()
     wanted = _parser().parse_args()
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     _tell(head())
