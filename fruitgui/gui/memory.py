@@ -13,8 +13,7 @@ EVERY_MS = 60_000
 class GivingBack(QObject):
     """Gives memory back once a minute, on a thread of its own.
 
-    Pictures of all sizes come and go on a dozen threads, and what lies free between them grows with the fruit. The
-    window's benchmark says how much is left of that.
+    Pictures of all sizes come and go on a dozen threads, and what lies free between them grows with the fruit.
     """
 
     def __init__(self, parent: QObject | None = None) -> None:

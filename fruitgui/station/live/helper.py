@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import multiprocessing
 import os
-import pickle
 import queue
 import signal
 import threading
@@ -21,6 +20,7 @@ from fruitgui.geometry.rig import Rig
 from fruitgui.perception.view import Observation
 from fruitgui.station.crew import Eye
 from fruitgui.station.judging import Judge, Judgement
+from fruitgui.station.live.parcels import receive, send
 from fruitgui.station.model import Model
 from fruitgui.tracking.track import Track
 
@@ -236,30 +236,6 @@ def work(hands: Hands, pipe: Connection) -> None:
             send(pipe, attempted(worker, receive(pipe)))
     except (EOFError, OSError):
         return
-
-
-def send(pipe: Connection, thing: object) -> None:
-    """Send a thing so that its arrays go through the pipe as they lie in memory.
-
-    Copied into one piece first, as `Connection.send` does, they would keep every other thread of the process waiting.
-    """
-    arrays: list[pickle.PickleBuffer] = []
-    head = pickle.dumps(thing, protocol=5, buffer_callback=arrays.append)
-    raw = [array.raw() for array in arrays]
-    pipe.send_bytes(pickle.dumps((head, [one.nbytes for one in raw])))
-    for one in raw:
-        if one.nbytes:
-            pipe.send_bytes(one)
-
-
-def receive(pipe: Connection) -> Any:  # noqa: ANN401 - whatever was sent
-    """Return what was sent; its arrays may be written to."""
-    head, sizes = pickle.loads(pipe.recv_bytes())  # noqa: S301 - from our own process
-    arrays = [bytearray(size) for size in sizes]
-    for array in arrays:
-        if array:
-            pipe.recv_bytes_into(array)
-    return pickle.loads(head, buffers=arrays)  # noqa: S301 - from our own process
 
 
 def attempted(worker: Worker, job: Look | Weigh) -> tuple[Observation | Judgement | None, str | None]:

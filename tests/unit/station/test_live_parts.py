@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
+import threading
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,8 +23,8 @@ from fruitgui.simulation.supply import LineOptions
 from fruitgui.station.live.above import FromAbove, pictured_spreads, spreads_of
 from fruitgui.station.live.bump import BumpWatch, looks_moved
 from fruitgui.station.live.crops import LONGEST_PX, MOST_SENSORS, MOST_TRACKS, Album, coded
-from fruitgui.station.live.helper import receive, send
 from fruitgui.station.live.intake import ClockWatch
+from fruitgui.station.live.parcels import receive, send
 from fruitgui.station.live.warnings import MOST, Warnings
 from tests.unit.perception.spheres import Ball, Table
 
@@ -155,21 +158,53 @@ def test_a_glance_tells_a_belt_that_moved_from_one_that_did_not(tilt_deg: float,
         assert looks_moved(frame, moved) == bool(tilt_deg or lift_m)
 
 
-def test_arrays_come_through_the_pipe_as_they_were_and_may_be_written_to() -> None:
+def through_a_pipe(thing: object) -> Any:  # noqa: ANN401 - whatever was sent
     ours, theirs = multiprocessing.get_context("spawn").Pipe()
-    sent = {
-        "large": np.arange(2000.0).reshape(40, 50),
-        "turned": np.arange(6).reshape(2, 3).T,
-        "none": np.zeros((0, 2)),
-    }
     with ours, theirs:
-        send(ours, ("look", sent))
-        word, got = receive(theirs)
+        sending = threading.Thread(target=send, args=(ours, thing))
+        sending.start()
+        got = receive(theirs)
+        sending.join()
+    return got
+
+
+def test_arrays_come_through_the_pipe_as_they_were_and_may_be_written_to() -> None:
+    sent = {
+        "small": np.arange(5, dtype=np.uint8),
+        "after an odd size": np.arange(2000.0).reshape(40, 50),
+        "a picture": np.arange(640 * 480 * 3, dtype=np.uint8).reshape(480, 640, 3),
+        "turned": np.arange(6).reshape(2, 3).T,
+        "every other": np.arange(20)[::2],
+        "yes and no": np.array([True, False, True]),
+        "none": np.zeros((0, 2)),
+        "one": np.array(3.5),
+    }
+    word, got = through_a_pipe(("look", sent))
     assert word == "look"
     assert got.keys() == sent.keys()
     for name, array in sent.items():
+        assert got[name].dtype == array.dtype
         assert np.array_equal(got[name], array)
+        assert got[name].flags.aligned
         got[name][...] = 1
+
+
+def test_what_may_not_be_written_to_comes_through_too() -> None:
+    fixed = np.arange(7.0)
+    fixed.flags.writeable = False
+    assert np.array_equal(through_a_pipe(fixed), fixed)
+    assert through_a_pipe("no array") == "no array"
+
+
+def test_what_came_through_is_no_burden_to_the_collector_of_garbage() -> None:
+    def looked_through() -> int:
+        gc.collect()
+        return sum(isinstance(one, memoryview) for one in gc.get_objects())
+
+    before = looked_through()
+    got = through_a_pipe([np.arange(float(size)) for size in range(1, 200)])
+    assert looked_through() == before
+    assert len({id(array.base) for array in got}) == 1
 
 
 def test_a_sensor_that_feels_itself_turned_is_named() -> None:
