@@ -28,6 +28,41 @@
     </message>
 </context>
 <context>
+    <name>EndDialog</name>
+    <message>
+        <source>End lot</source>
+        <translation>Terminar lote</translation>
+    </message>
+    <message>
+        <source>Leave it open</source>
+        <translation>Dejarlo abierto</translation>
+    </message>
+    <message>
+        <source>End lot {name}?</source>
+        <translation>¿Terminar el lote {name}?</translation>
+    </message>
+    <message>
+        <source>Fruit counted so far: {count}</source>
+        <translation>Fruta contada hasta ahora: {count}</translation>
+    </message>
+    <message>
+        <source>What is in view is counted first, then the line stops.</source>
+        <translation>Antes se cuenta lo que está a la vista; luego la línea se detiene.</translation>
+    </message>
+    <message>
+        <source>A lot that is ended cannot be taken up again.</source>
+        <translation>Un lote terminado no se puede retomar.</translation>
+    </message>
+    <message>
+        <source>To go on with it later, pause it.</source>
+        <translation>Para seguir más tarde, páuselo.</translation>
+    </message>
+    <message>
+        <source>Left open, you can go on with it at any time.</source>
+        <translation>Si lo deja abierto, puede seguir con él cuando quiera.</translation>
+    </message>
+</context>
+<context>
     <name>Health</name>
     <message>
         <source>does not answer</source>
@@ -137,6 +172,14 @@
     <message>
         <source>Lot {name} is running.</source>
         <translation>El lote {name} está en marcha.</translation>
+    </message>
+    <message>
+        <source>The line stands still.</source>
+        <translation>La línea está detenida.</translation>
+    </message>
+    <message>
+        <source>Nothing is counted</source>
+        <translation>No se cuenta nada</translation>
     </message>
     <message>
         <source>Name unknown fruit: {count}</source>
