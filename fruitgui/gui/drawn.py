@@ -39,6 +39,7 @@ class DrawnPicture:
         color: (h, w, 3) uint8 RGB.
         fruit: in it.
         health: `good`, `warn` or `bad`. words: on the sensor: rate, or what is wrong.
+        stale: in words, since when no newer picture came; empty for a picture of now.
     """
 
     sensor: str
@@ -46,6 +47,7 @@ class DrawnPicture:
     fruit: tuple[DrawnFruit, ...]
     health: str
     words: str
+    stale: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

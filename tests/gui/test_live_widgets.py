@@ -11,9 +11,11 @@ from fruitgui.gui.steps.live.belt_map import BeltView
 from fruitgui.gui.steps.live.counts import TOTAL, CountsView
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
 from fruitgui.gui.steps.live.layout import Pictures, columns_for
+from fruitgui.gui.steps.live.presenter import stale_words
 from fruitgui.gui.theme.kinds import kind_marks
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.widgets.sensor_picture import Overlays, SensorPicture
+from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.live.state import Spread
 
 MARKS = kind_marks(["lemon", "red apple"])
@@ -44,6 +46,39 @@ def test_outlines_are_where_the_fruit_is_and_can_be_left_out(qtbot: QtBot, theme
     assert image.pixelColor(QPoint(round(320 * ratio), round(240 * ratio))) == QColor(90, 90, 90)
     view.show_overlays(Overlays(outlines=False, labels=False, ellipses=False, trails=False))
     assert _count_of(view, MARKS["lemon"].colour) == 0
+
+
+def test_a_picture_that_is_not_of_now_is_grey_veiled_and_shows_no_fruit(qtbot: QtBot, theme: Theme) -> None:
+    view = SensorPicture("kinect_1", theme)
+    qtbot.addWidget(view)
+    view.resize(640, 480)
+    red = np.full((480, 640, 3), (220, 40, 40), np.uint8)
+    view.show_picture(DrawnPicture("kinect_1", red, (_fruit(),), "good", ""))
+    assert view.grab().toImage().pixelColor(100, 400) == QColor(220, 40, 40)
+    view.show_picture(DrawnPicture("kinect_1", red, (_fruit(),), "bad", "silent", "no picture for 12 s"))
+    seen = view.grab().toImage().pixelColor(100, 400)
+    assert seen.hslSaturationF() < 0.15
+    assert seen.lightness() < 80
+    assert _count_of(view, MARKS["lemon"].colour) == 0
+    assert view.accessibleDescription() == "no picture for 12 s"
+    view.show_picture(DrawnPicture("kinect_1", red, (), "good", ""))
+    assert view.grab().toImage().pixelColor(100, 400) == QColor(220, 40, 40), "it is back"
+
+
+@pytest.mark.parametrize(
+    ("health", "words"),
+    [
+        (SensorHealth("kinect_1", Running.RUNNING, age_s=0.1), ""),
+        (SensorHealth("kinect_1", Running.STARTING), ""),
+        (SensorHealth("kinect_1", Running.SILENT, age_s=12.4), "no picture for 12\u2009s"),
+        (SensorHealth("kinect_1", Running.RUNNING, age_s=8.0, hangs=True), "no picture for 8\u2009s"),
+        (SensorHealth("kinect_1", Running.FAILED, age_s=200.0), "no picture for 3\u2009min"),
+        (SensorHealth("kinect_1", Running.FAILED), "no picture yet"),
+        (SensorHealth("kinect_1", Running.ENDED, age_s=9.0), "the last picture of the recording"),
+    ],
+)
+def test_a_sensor_that_gives_nothing_says_since_when(health: SensorHealth, words: str) -> None:
+    assert stale_words(health) == words
 
 
 def test_a_picture_keeps_its_shape_whatever_room_it_has(qtbot: QtBot, theme: Theme) -> None:

@@ -65,6 +65,18 @@
 <context>
     <name>Health</name>
     <message>
+        <source>the last picture of the recording</source>
+        <translation>la última imagen de la grabación</translation>
+    </message>
+    <message>
+        <source>no picture yet</source>
+        <translation>todavía sin imagen</translation>
+    </message>
+    <message>
+        <source>no picture for {time}</source>
+        <translation>sin imagen desde hace {time}</translation>
+    </message>
+    <message>
         <source>does not answer</source>
         <translation>no responde</translation>
     </message>
