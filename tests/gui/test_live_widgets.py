@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.drawn import BeltMap, DrawnFruit, DrawnPicture, KindLine, LastFruit, MappedFruit
 from fruitgui.gui.steps.live.belt_map import BeltView
-from fruitgui.gui.steps.live.counts import TOTAL, CountsView
+from fruitgui.gui.steps.live.counts import LEAST, TOTAL, CountsView, places_for
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
 from fruitgui.gui.steps.live.layout import Pictures, columns_for
 from fruitgui.gui.steps.live.presenter import stale_words
@@ -140,6 +140,47 @@ def test_counts_are_high_enough_for_two_metres(qtbot: QtBot, theme: Theme) -> No
     top = TOTAL
     rows = [y for y in range(top, top + 56) if any(image.pixelColor(x, y) == ink for x in range(325, 360))]
     assert rows[-1] - rows[0] + 1 >= 29
+
+
+@pytest.mark.parametrize(("width", "height"), [(360, 380), (360, 308), (600, 640), (1350, 1480), (300, 200)])
+@pytest.mark.parametrize("rows", [0, 1, 6, 8, 12])
+def test_all_kinds_are_in_view(rows: int, width: int, height: int) -> None:
+    places = places_for(rows, width, height)
+    corners = [places.place(number, rows) for number in range(rows)]
+    assert len({one.toTuple() for one in corners}) == rows
+    for corner in corners:
+        assert corner.x() + places.width <= width + 1e-6
+        assert places.top <= corner.y() <= height - places.height + 1e-6
+    assert places.columns == 1 or (height - places.top) / rows < LEAST, "in two columns only where there is no room"
+
+
+def _ink_height(view: CountsView, row: int, rows: int) -> int:
+    """Return how high the figure at the right of a row is, pixels."""
+    places, image = places_for(rows, view.width(), view.height()), view.grab().toImage()
+    ink, top = view._theme.colour("text"), round(places.place(row, rows).y())
+    columns = range(round(places.width) - 40, round(places.width))
+    lines = [y for y in range(top, round(top + places.height)) if any(image.pixelColor(x, y) == ink for x in columns)]
+    return lines[-1] - lines[0] + 1
+
+
+def test_counts_grow_with_the_room_that_there_is(qtbot: QtBot, theme: Theme) -> None:
+    view = CountsView(theme)
+    qtbot.addWidget(view)
+    view.show_lines([_line("lemon", 8)] * 6)
+    view.resize(600, 640)
+    usual = _ink_height(view, 5, 6)
+    view.resize(1350, 1480)
+    assert _ink_height(view, 5, 6) > 1.5 * usual
+    assert _ink_height(view, 5, 6) > 64
+
+
+def test_eight_rows_are_drawn_in_the_least_room(qtbot: QtBot, theme: Theme) -> None:
+    """A window of 1280×720 with seven kinds and the band that says that nothing is counted."""
+    view = CountsView(theme)
+    qtbot.addWidget(view)
+    view.resize(360, 308)
+    view.show_lines([_line("lemon", 8)] * 8)
+    assert _ink_height(view, 7, 8) >= 14
 
 
 def test_the_belt_is_drawn_with_what_is_on_it(qtbot: QtBot, theme: Theme) -> None:
