@@ -110,7 +110,7 @@ def test_a_paused_lot_lets_fruit_pass_uncounted(qtbot: QtBot, session: Session, 
     ready.pause.trigger()
     qtbot.waitUntil(lambda: session.running.paused, timeout=LONG_MS)
     assert ready.main_action is ready.resume
-    assert ready.body.standing.accessibleName() == "Nothing is counted. Lot 1184 is paused: fruit pass uncounted."
+    assert ready.body.standing.accessibleName() == "Nothing is counted. Lot 1184 is paused."
     assert ready.body.standing.isVisible()
     _run_to_the_end(qtbot, session)
     state = session.running.state
@@ -148,7 +148,7 @@ def test_what_is_counted_while_it_is_asked_shows_in_the_question(qtbot: QtBot, s
 
 def test_a_lot_that_stands_still_says_so_over_the_counts(qtbot: QtBot, session: Session, theme: Theme) -> None:
     page = _left_open(qtbot, session, theme, 1)
-    assert page.body.standing.accessibleName() == "Nothing is counted. The line stands still."
+    assert page.body.standing.accessibleName() == "Nothing is counted. Lot 1184 is open; the line stands still."
     assert not page.body.standing.isHidden()
     _end(qtbot, session, page)
     assert page.body.standing.isHidden()

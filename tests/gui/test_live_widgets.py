@@ -119,7 +119,7 @@ def test_pictures_arrange_themselves(sensors: int, columns: int) -> None:
 
 
 def _line(kind: str, count: int) -> KindLine:
-    return KindLine(MARKS[kind], kind, count, 110.0, 8.0, 0.11 * count, None, 31)
+    return KindLine(MARKS[kind], kind, count, 110.0, 2.0, 8.0, 0.11 * count, None, 31)
 
 
 def test_counts_say_what_they_show_to_a_screen_reader(qtbot: QtBot, theme: Theme) -> None:

@@ -40,6 +40,9 @@ SHADE = QColor(0, 0, 0, 150)
 VEIL = QColor(20, 24, 28, 165)
 """Over a picture that is not of now."""
 
+VEIL_WORDS_SHARE = 1 / 22
+"""How high the words over it are, of the picture's width."""
+
 HEALTH = {"good": "#4cc38a", "warn": "#f0b23e", "bad": "#ff7a70", "info": "#a4afb8"}
 
 T = TypeVar("T")
@@ -168,7 +171,9 @@ class SensorPicture(QWidget):
     def _paint_veil(self, painter: QPainter, place: QRectF, words: str) -> None:
         """Draw what keeps an old picture from looking as if it were of now."""
         painter.fillRect(place, VEIL)
-        painter.setFont(self._theme.font("title", QFont.Weight.DemiBold))
+        font = self._theme.font("title", QFont.Weight.DemiBold)
+        font.setPixelSize(max(font.pixelSize(), round(place.width() * VEIL_WORDS_SHARE)))
+        painter.setFont(font)
         painter.setPen(INK)
         painter.drawText(place, int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap), words)
 

@@ -26,6 +26,10 @@
         <source>{rate}/min</source>
         <translation>{rate}/min</translation>
     </message>
+    <message>
+        <source>spread {spread}</source>
+        <translation>dispersión {spread}</translation>
+    </message>
 </context>
 <context>
     <name>EndDialog</name>
@@ -186,8 +190,12 @@
         <translation>El lote {name} está en marcha.</translation>
     </message>
     <message>
-        <source>The line stands still.</source>
-        <translation>La línea está detenida.</translation>
+        <source>Lot {name} is paused.</source>
+        <translation>El lote {name} está en pausa.</translation>
+    </message>
+    <message>
+        <source>Lot {name} is open; the line stands still.</source>
+        <translation>El lote {name} está abierto; la línea está detenida.</translation>
     </message>
     <message>
         <source>Nothing is counted</source>

@@ -170,14 +170,17 @@ class CountsView(QWidget):
                          left | Qt.AlignmentFlag.AlignTop, self._details(painter, line, box.width()))  # fmt: skip
 
     def _details(self, painter: QPainter, line: KindLine, width: float) -> str:
-        """Return mean, total and rate, as many of them as there is room for."""
+        """Return mean, rate, total and spread, as many of them as there is room for: only the mean has a ±."""
         parts = []
         if line.volume_ml is not None:
-            spread = "" if line.spread_ml is None else f" (±{number_text(line.spread_ml, 0)})"
-            volume = f"{number_text(line.volume_ml, 0)}{spread}{THIN}ml"
+            half = "" if line.volume_half_ml is None else f" ± {number_text(line.volume_half_ml, 0)}"
+            volume = f"{number_text(line.volume_ml, 0)}{half}{THIN}ml"
             parts.append(self.tr("mean {volume}").format(volume=volume))
         parts.append(self.tr("{rate}/min").format(rate=count_text(line.per_minute)))
         parts.append(f"{number_text(line.total_l, 1)}{THIN}l")
+        if line.spread_ml is not None:
+            spread = f"{number_text(line.spread_ml, 0)}{THIN}ml"
+            parts.append(self.tr("spread {spread}").format(spread=spread))
         if line.mass_kg is not None:
             parts.append(f"{number_text(line.mass_kg, 1)}{THIN}kg")
         metrics = QFontMetricsF(painter.font())

@@ -154,7 +154,7 @@ class LivePage(StepPage):
         if lot is None or (running and not lot.paused):
             self.body.standing.show_words("", "")
             return
-        why = self.tr("Lot {name} is paused: fruit pass uncounted.") if running else self.tr("The line stands still.")
+        why = self.tr("Lot {name} is paused.") if running else self.tr("Lot {name} is open; the line stands still.")
         self.body.standing.show_words(self.tr("Nothing is counted"), why.format(name=lot.name))
 
     def _say_unnamed(self) -> None:

@@ -32,6 +32,9 @@ from fruitgui.station.sink import CountedFruit
 
 ML_PER_L = 1e3
 
+HALF_95 = 1.96
+"""Standard deviations that the half width of a 95 % interval is."""
+
 
 @dataclass(slots=True)
 class Marks:
@@ -151,11 +154,13 @@ def kind_lines(tally: Tally, kinds: Sequence[str], marks: Marks, now_s: float) -
 
 
 def _kind_line(kind: str, total: KindSum, marks: Marks, per_minute: float) -> KindLine:
+    mean_ml = total.mean_ml
     return KindLine(
         mark=marks.of(kind),
         name=kind_name(kind),
         count=total.count,
-        volume_ml=total.mean_ml,
+        volume_ml=None if mean_ml is None else mean_ml.value,
+        volume_half_ml=None if mean_ml is None else HALF_95 * mean_ml.std,
         spread_ml=total.spread_ml,
         total_l=total.volume_ml / ML_PER_L,
         mass_kg=total.mass_kg,

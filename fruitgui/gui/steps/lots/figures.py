@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import sqrt
 from pathlib import PurePosixPath
 
 from PySide6.QtCore import QCoreApplication
@@ -15,6 +14,7 @@ from fruitgui.gui.numbers import THIN, count_text, number_text
 from fruitgui.gui.steps.lots.words import NONE, kilograms_text, litres_text, measure_text, why_text
 from fruitgui.gui.times import clock_text, duration_text, moment_text, second_text
 from fruitgui.measurement.fruit import Quantity
+from fruitgui.measurement.sums import SharedSum
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot
 from fruitgui.records.spells import Spell
@@ -59,12 +59,12 @@ class LotFigures:
     @property
     def volume_m3(self) -> Quantity | None:
         """Of all measured fruit."""
-        return together([one.volume_m3 for one in self.kinds]) if self.measured else None
+        return sum((one.volume for one in self.kinds), SharedSum()).quantity if self.measured else None
 
     @property
     def mass_kg(self) -> Quantity | None:
         """Of all weighed fruit."""
-        return together([one.mass_kg for one in self.kinds]) if self.weighed else None
+        return sum((one.mass for one in self.kinds), SharedSum()).quantity if self.weighed else None
 
     @property
     def per_minute(self) -> float | None:
@@ -85,11 +85,6 @@ def read_figures(store: Store, lot: int, now_s: float) -> LotFigures:
         store.fruit.find(FruitQuery(lot, which="left_out", count=0)).found,
         store.fruit.find(FruitQuery(lot, which="corrected", count=0)).found, now_s,
     )  # fmt: skip
-
-
-def together(parts: Sequence[Quantity]) -> Quantity:
-    """Return a sum of independent quantities."""
-    return Quantity(sum(one.value for one in parts), sqrt(sum(one.std**2 for one in parts)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -285,9 +285,9 @@ def _write_method(sheet: Sheet, report: LotReport) -> None:
     sheet.words(
         translate(
             "LotReport",
-            "± is half the width of a 95 % interval. That of totals and means adds the errors of single fruit as if no "
-            "two shared one. What all fruit of a lot share, such as the scale of the sensors' placement or the "
-            "correction of a kind, is not in it.",
+            "± is half the width of a 95 % interval. In that of totals and means the errors of single fruit average "
+            "out; what fruit err by together, such as the sensors' scale, the correction of a kind, or its density, "
+            "does not, and is in it whole.",
         )
     )
     lot = report.lot
