@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from fruitgui.gui.numbers import THIN
-from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.translate import LANGUAGES
 from fruitgui.gui.widgets.cards import label
 from fruitgui.gui.widgets.decimal_box import DecimalBox
@@ -74,6 +74,9 @@ class SettingsDialog(QDialog):
         self.days.setSpecialValueText(self.tr("for ever"))
         self.days.setSuffix(self.tr(" days"))
         self.days.setValue(self._settings.crops_kept_days)
+        for box in (self.days, self.free_gb):
+            box.setMinimumHeight(TOUCH)
+            box.lineEdit().setTextMargins(2 * GRID - 2, 0, 0, 0)
         self.free_gb.setDecimals(GB_DIGITS)
         self.free_gb.setRange(0, MOST_GB)
         self.free_gb.setSuffix(f"{THIN}GB")
@@ -107,6 +110,7 @@ class SettingsDialog(QDialog):
 
     def _row(self, form: QFormLayout, text: str, field: QWidget) -> None:
         named = QLabel(text)
+        named.setMinimumHeight(TOUCH)
         named.setBuddy(field)
         field.setAccessibleName(text.replace("&", ""))
         form.addRow(named, field)

@@ -127,6 +127,7 @@ def test_a_lot_ends_by_no_key_that_is_pressed_in_passing(
     page = _left_open(qtbot, session, theme, 3)
     dialog = _asked_to_end(page)
     assert dialog._count.text().endswith(": 3")
+    assert dialog.focusWidget() is dialog.leave
     button = getattr(dialog, on)
     button.setFocus()
     qtbot.keyClick(button, key)

@@ -950,8 +950,8 @@
         <translation>no se conoce ninguna densidad</translation>
     </message>
     <message>
-        <source>± is half the width of a 95 % interval. That of sums and means holds what fruit do not share: errors that all have in common (the rig&apos;s scale, a kind&apos;s correction) are not in it.</source>
-        <translation>± es la mitad del ancho de un intervalo del 95 %. El de sumas y medias contiene lo que las frutas no comparten: los errores comunes a todas (la escala del equipo, la corrección de un tipo) no están incluidos.</translation>
+        <source>± is half the width of a 95 % interval. In that of sums and means what single fruit err by averages out; what all err by together (the sensors&apos; scale, a kind&apos;s correction) does not.</source>
+        <translation>± es la mitad del ancho de un intervalo del 95 %. En el de sumas y medias, lo que yerra cada fruta se compensa; lo que yerran todas juntas (la escala de los sensores, la corrección de un tipo) no.</translation>
     </message>
 </context>
 <context>

@@ -177,8 +177,8 @@
         <translation>Grabando {name}: véase Conectar.</translation>
     </message>
     <message>
-        <source>Free on the disk: {free} GB.</source>
-        <translation>Libre en el disco: {free} GB.</translation>
+        <source>Free on the disk: {free} GB. Recording and keeping pictures stop below {least} GB.</source>
+        <translation>Libre en el disco: {free} GB. Por debajo de {least} GB se deja de grabar y de guardar fotos.</translation>
     </message>
 </context>
 <context>

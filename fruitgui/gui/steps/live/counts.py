@@ -101,13 +101,18 @@ class CountsView(QWidget):
         box, grown = QRectF(0, 0, self.width(), height), min(height / TOTAL, LARGEST_WORDS)
         painter.setPen(theme.colour("text"))
         painter.setFont(self._words("title", grown, QFont.Weight.DemiBold))
-        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.tr("All fruit"))
+        title = self.tr("All fruit")
+        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, title)
+        left = QFontMetricsF(painter.font()).horizontalAdvance(title) + 1.5 * GRID
         painter.setFont(self._figure(TOTAL_FIGURE_SHARE * height))
         painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, count_text(count))
         right = box.right() - QFontMetricsF(painter.font()).horizontalAdvance(count_text(count)) - 1.5 * GRID
         painter.setFont(self._words("small", grown))
         painter.setPen(theme.colour("text_dim"))
-        text = self.tr("{litres} · {rate}/min").format(litres=f"{number_text(litres, 1)}{THIN}l", rate=count_text(rate))
+        all_litres = f"{number_text(litres, 1)}{THIN}l"
+        text = self.tr("{litres} · {rate}/min").format(litres=all_litres, rate=count_text(rate))
+        if QFontMetricsF(painter.font()).horizontalAdvance(text) > right - left:
+            text = all_litres
         box.setRight(right)
         painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, text)
 

@@ -51,7 +51,6 @@ class EndDialog(QDialog):
         self.end.clicked.connect(self.accept)
         self.leave.clicked.connect(self.reject)
         self.leave.setDefault(True)
-        self.leave.setFocus()
         buttons = QHBoxLayout()
         buttons.setSpacing(GRID)
         buttons.addStretch()
@@ -66,3 +65,5 @@ class EndDialog(QDialog):
             column.addWidget(widget)
         column.addStretch()
         column.addLayout(buttons)
+        QWidget.setTabOrder(self.leave, self.end)
+        self.leave.setFocus()

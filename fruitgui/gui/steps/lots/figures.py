@@ -89,12 +89,11 @@ def read_figures(store: Store, lot: int, now_s: float) -> LotFigures:
 
 @dataclass(frozen=True, slots=True)
 class KindRow:
-    """One kind's sums as people read them; `share` is of the lot's fruit, 0–1."""
+    """One kind's sums as people read them."""
 
     kind: str
     name: str
     fruit: str
-    share: float
     mean: str
     volume: str
     mass: str
@@ -104,7 +103,7 @@ def kind_rows(figures: LotFigures) -> list[KindRow]:
     """Return a row for each kind, the most frequent first."""
     return [
         KindRow(
-            one.kind, kind_name(one.kind), count_text(one.fruit), one.fruit / max(figures.fruit, 1),
+            one.kind, kind_name(one.kind), count_text(one.fruit),
             measure_text("volume_m3", one.mean_volume_m3), litres_text(one.volume_m3 if one.measured else None),
             kilograms_text(one.mass_kg if one.weighed else None),
         )

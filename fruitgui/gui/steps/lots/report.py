@@ -10,7 +10,7 @@ from PySide6.QtCore import QCoreApplication, QRectF, Qt
 
 from fruitgui.files import written_whole
 from fruitgui.gui.kind_words import kind_name
-from fruitgui.gui.numbers import THIN, count_text, number_text
+from fruitgui.gui.numbers import count_text, number_text, shares_text
 from fruitgui.gui.steps.lots.figures import model_name, of_text, spans, spell_texts, unseen_text
 from fruitgui.gui.steps.lots.sheet import BODY, BODY_DIM, DIM, LINE, SECTION, SMALL, STRONG, TITLE, Sheet
 from fruitgui.gui.steps.lots.words import NONE, SPREAD, UNITS, kilograms_text, litres_text, measure_name, measure_text
@@ -107,7 +107,7 @@ def _write_sums(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) 
         translate("LotReport", "Total mass"),
     )  # fmt: skip
     sheet.row(heads, widths, SMALL)
-    for one in report.kinds:
+    for one, share in zip(report.kinds, shares_text([one.fruit for one in report.kinds]), strict=True):
         sheet.line(0, sheet.width)
         sheet.room(17)
         mark = marks.get(one.kind)
@@ -115,7 +115,7 @@ def _write_sums(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) 
             painter, box = sheet.painter_at(QRectF(0, sheet.y + 2.5, 12, 12))
             paint_mark(painter, box, mark)
         texts = (
-            kind_name(one.kind), count_text(one.fruit), _share_text(one.fruit, report.fruit),
+            kind_name(one.kind), count_text(one.fruit), share,
             measure_text("volume_m3", one.mean_volume_m3), litres_text(one.volume_m3 if one.measured else None),
             kilograms_text(one.mass_kg if one.weighed else None),
         )  # fmt: skip
@@ -135,10 +135,6 @@ def _write_sums(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) 
         if of:
             sheet.words(what.format(of=of), SMALL)
     sheet.skip(12)
-
-
-def _share_text(some: int, all_of: int) -> str:
-    return f"{number_text(100 * some / max(all_of, 1), 1)}{THIN}%"
 
 
 def _write_spreads(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) -> None:
