@@ -181,6 +181,15 @@ class ActionBar(QWidget):
         self._cancel.setText(self.tr("Stop"))
         self._cancel.setToolTip(self.tr("Stop this job; nothing is left half-done (Esc)"))
         self._cancel.setShortcut(Qt.Key.Key_Escape)
+        self._close.setToolTip(self.tr("Put this message away"))
+        self._show()
+
+    def _level_word(self, level: Level) -> str:
+        """Return what the icon says, for those who do not see it."""
+        return {
+            Level.INFO: self.tr("Information"), Level.GOOD: self.tr("Done"), Level.WARN: self.tr("Warning"),
+            Level.BAD: self.tr("Error"),
+        }[level]  # fmt: skip
 
     def _show(self) -> None:
         busy = self._task is not None
@@ -194,7 +203,7 @@ class ActionBar(QWidget):
         self._icon.setPixmap(
             icons.pixmap(level.value, self._theme.colour(_COLOURS[level]), ICON_PX, self.devicePixelRatioF())
         )
-        self._icon.setAccessibleName(level.value)
+        self._icon.setAccessibleName(self._level_word(level))
         remedy = "" if message is None else message.remedy
         self._detail.setVisible(bool(remedy) or (busy and message is None))
         self._detail.setText(remedy or self._detail.text() if busy else remedy)
