@@ -97,6 +97,8 @@ def test_a_lot_counts_what_crossed_and_is_kept(qtbot: QtBot, session: Session, r
     _start(qtbot, session, ready)
     assert ready.main_action is ready.end
     _run_to_the_end(qtbot, session)
+    pictures = ready.body.pictures.pictures.values()
+    qtbot.waitUntil(lambda: {one.accessibleDescription() for one in pictures} == {"the last picture of the recording"})
     _end(qtbot, session, ready)
     assert session.running.tally.count_all == FRUIT
     assert ready.body.counts.accessibleDescription() == f"Unknown: {FRUIT}"
