@@ -78,6 +78,7 @@ class ActionBar(QWidget):
         self._theme = theme
         self._page: StepPage | None = None
         self._message: Message | None = None
+        self._standing: Message | None = None
         self._task: Task[object] | None = None
         self.setProperty("role", "bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -156,6 +157,11 @@ class ActionBar(QWidget):
             self._timer.start()
         self._show()
 
+    def stand(self, message: Message | None) -> None:
+        """Show what holds now wherever nothing else is said, until another or None is given."""
+        self._standing = message
+        self._show()
+
     def show_task(self, task: Task[object]) -> None:
         """Show a job's progress until it ends."""
         self._task = task
@@ -175,9 +181,19 @@ class ActionBar(QWidget):
         self._cancel.setText(self.tr("Stop"))
         self._cancel.setToolTip(self.tr("Stop this job; nothing is left half-done (Esc)"))
         self._cancel.setShortcut(Qt.Key.Key_Escape)
+        self._close.setToolTip(self.tr("Put this message away"))
+        self._show()
+
+    def _level_word(self, level: Level) -> str:
+        """Return what the icon says, for those who do not see it."""
+        return {
+            Level.INFO: self.tr("Information"), Level.GOOD: self.tr("Done"), Level.WARN: self.tr("Warning"),
+            Level.BAD: self.tr("Error"),
+        }[level]  # fmt: skip
 
     def _show(self) -> None:
-        message, busy = self._message, self._task is not None
+        busy = self._task is not None
+        message = self._message or (None if busy else self._standing)
         level = Level.INFO if message is None else message.level
         hint = "" if self._page is None else self._page.hint
         text = hint if message is None else message.what
@@ -187,7 +203,7 @@ class ActionBar(QWidget):
         self._icon.setPixmap(
             icons.pixmap(level.value, self._theme.colour(_COLOURS[level]), ICON_PX, self.devicePixelRatioF())
         )
-        self._icon.setAccessibleName(level.value)
+        self._icon.setAccessibleName(self._level_word(level))
         remedy = "" if message is None else message.remedy
         self._detail.setVisible(bool(remedy) or (busy and message is None))
         self._detail.setText(remedy or self._detail.text() if busy else remedy)
@@ -233,7 +249,8 @@ class ActionBar(QWidget):
             self._detail.setText(self.tr("Stopping …"))
 
     def _act(self) -> None:
-        act = None if self._message is None else self._message.act
+        shown = self._message or self._standing
+        act = None if shown is None else shown.act
         self._forget()
         if act is not None:
             act()

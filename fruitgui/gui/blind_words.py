@@ -19,7 +19,7 @@ def blind_text(blind: Blind) -> str:
         )
     if blind.lanes_m is None:
         return translate("Blind", "{sensors} away: {share} of the belt is seen by no sensor").format(
-            sensors=sensors, share=percent_text(blind.share)
+            sensors=sensors, share=percent_text(max(blind.share, 0.01))
         )
     lanes = "; ".join(_lane_text(side, lane) for side, lane in zip(blind.sides, blind.lanes_m, strict=True))
     return translate("Blind", "{sensors} away: no sensor sees {lanes}").format(sensors=sensors, lanes=lanes)

@@ -39,6 +39,7 @@ class DrawnPicture:
         color: (h, w, 3) uint8 RGB.
         fruit: in it.
         health: `good`, `warn` or `bad`. words: on the sensor: rate, or what is wrong.
+        stale: in words, since when no newer picture came; empty for a picture of now.
     """
 
     sensor: str
@@ -46,6 +47,7 @@ class DrawnPicture:
     fruit: tuple[DrawnFruit, ...]
     health: str
     words: str
+    stale: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -93,7 +95,8 @@ class KindLine:
     Attributes:
         mark: of the kind. name: as people read it.
         count: fruit of it in this lot.
-        volume_ml, spread_ml: mean volume, and standard deviation between its fruit; None before the first.
+        volume_ml: mean volume. volume_half_ml: half the width of its 95 % interval. None before the first.
+        spread_ml: standard deviation between its fruit; None before the second.
         total_l: all volumes together. mass_kg: all masses together, None where the density is not known.
         per_minute: over the last minutes, to the whole piece that is shown: what looks the same is not drawn again.
     """
@@ -102,6 +105,7 @@ class KindLine:
     name: str
     count: int
     volume_ml: float | None
+    volume_half_ml: float | None
     spread_ml: float | None
     total_l: float
     mass_kg: float | None

@@ -35,6 +35,9 @@ AWAY = ("part_blind", "sensor_away")
 
 BYTES_PER_GB = 1e9
 
+ROUND_GB = 20.0
+"""Room from which on a tenth of a GB says nothing; near the limit it tells on which side one is."""
+
 
 class HealthWatch(QObject):
     """Keeps the pills of the top bar true, and says what the line warns of."""
@@ -88,11 +91,19 @@ class HealthWatch(QObject):
         self._bar.show_pills(tuple(pills))
         lot = running.lot
         place = "" if lot is None else " · ".join(text for text in (lot.name, lot.grower) if text)
+        self._stand()
         self._bar.show_place(line_name(self._session.workspace.folder), place)
+
+    def _stand(self) -> None:
+        """Let what nobody sees of the belt stand for as long as it is not seen."""
+        running = self._session.running
+        blind = running.state.blind if running.running and running.state is not None else None
+        self._session.messages.stand("blind", None if blind is None else blind_message(blind))
 
     def _warn(self) -> None:
         """Say each warning of the line once; those of a bumped rig stay until they are put away."""
         running = self._session.running
+        self._stand()
         if running.state is None or not running.running:
             self._said.clear()
             return
@@ -118,8 +129,7 @@ def warning_message(warning: LiveWarning, blind: Blind | None = None) -> Message
         blind: what nobody sees now.
     """
     if warning.code in AWAY and blind is not None and blind.sensors == warning.sensors:
-        level = Level.BAD if blind.loses_fruit else Level.WARN
-        return Message(level, f"{blind_text(blind)}.", blind_remedy(blind))
+        return blind_message(blind)
     words = {
         "calibration_stale": _bumped, "not_kept": _not_kept, "clock_jumped": _clock_jumped,
         "clock_put_right": _clock_put_right, "sensor_not_matched": _not_matched, "frame_skipped": _skipped,
@@ -133,6 +143,12 @@ def warning_message(warning: LiveWarning, blind: Blind | None = None) -> Message
     stays = warning.code in STAYING
     sensors = ", ".join(warning.sensors)
     return Message(Level.BAD if stays else Level.WARN, what.format(sensors=sensors), remedy, stays=stays)
+
+
+def blind_message(blind: Blind) -> Message:
+    """Return what is said while nobody sees some of the belt."""
+    level = Level.BAD if blind.loses_fruit else Level.WARN
+    return Message(level, f"{blind_text(blind)}.", blind_remedy(blind))
 
 
 def _bumped() -> tuple[str, str]:
@@ -256,5 +272,7 @@ def recording_pill(plan: RecordPlan, state: RecordState | None) -> Pill:
 def disk_pill(free_gb: float, least_gb: float) -> Pill:
     """Return how much room the disk has."""
     health = "" if free_gb > 2.0 * least_gb else ("warn" if free_gb > least_gb else "bad")
-    tip = QCoreApplication.translate("Health", "Free on the disk: {free} GB.").format(free=number_text(free_gb, 1))
-    return Pill("disk", "disk", f"{number_text(free_gb, 0)}{THIN}GB", health, tip)
+    tip = QCoreApplication.translate(
+        "Health", "Free on the disk: {free} GB. Recording and keeping pictures stop below {least} GB."
+    ).format(free=number_text(free_gb, 2), least=number_text(least_gb, 2))
+    return Pill("disk", "disk", f"{number_text(free_gb, 0 if free_gb >= ROUND_GB else 1)}{THIN}GB", health, tip)

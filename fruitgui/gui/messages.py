@@ -49,19 +49,38 @@ class Messages(QObject):
 
     Attributes:
         said: a new `Message`.
+        standing_changed: what holds now is another `Message`, see `stand`, or None.
     """
 
     said = Signal(object)
+    standing_changed = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.history: list[Message] = []
+        self._standing: dict[str, Message] = {}
 
     def say(self, message: Message) -> None:
         """Say it, and keep it in the history."""
         self.history = [*self.history[-199:], message]
         log.log(_WEIGHTS[message.level], "%s %s", message.what, message.remedy)
         self.said.emit(message)
+
+    @property
+    def standing(self) -> Message | None:
+        """What holds now and matters most; None where nothing does."""
+        order = list(Level)
+        return max(self._standing.values(), key=lambda one: order.index(one.level), default=None)
+
+    def stand(self, name: str, message: Message | None) -> None:
+        """Show what holds, under a name, until it is told to hold no more (None); it goes by nothing else."""
+        before = self.standing
+        if message is None:
+            self._standing.pop(name, None)
+        else:
+            self._standing[name] = message
+        if self.standing != before:
+            self.standing_changed.emit(self.standing)
 
     def info(self, what: str, action: str = "", act: Callable[[], None] | None = None) -> None:
         """Say what was done, with a way to undo it where there is one."""

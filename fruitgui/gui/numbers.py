@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from PySide6.QtCore import QLocale
 
@@ -35,6 +36,19 @@ def measured_text(value: float, std: float, unit: str) -> str:
     half = 1.96 * std
     decimals = min(decimals_for(half), 1)
     return f"{number_text(value, decimals)} ± {number_text(half, decimals)}{THIN}{unit}"
+
+
+def shares_text(counts: Sequence[int]) -> list[str]:
+    """Return counts as percentages with a decimal that sum to 100: none of what is there is 0, no part is the whole."""
+    whole = sum(counts)
+    exact = [1000 * count / max(whole, 1) for count in counts]
+    tenths = [max(math.floor(one), min(count, 1)) for one, count in zip(exact, counts, strict=True)]
+    by_rest = sorted(range(len(counts)), key=lambda at: tenths[at] - exact[at])
+    for at in by_rest[: max(1000 - sum(tenths), 0) if whole else 0]:
+        tenths[at] += 1
+    if tenths and whole:
+        tenths[tenths.index(max(tenths))] += 1000 - sum(tenths)
+    return [f"{number_text(one / 10, 1)}{THIN}%" for one in tenths]
 
 
 def percent_text(share: float) -> str:

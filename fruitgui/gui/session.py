@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QObject, Signal, SignalInstance
@@ -12,6 +10,7 @@ from PySide6.QtCore import QObject, Signal, SignalInstance
 from fruitgui.gui.beginning import LinePlan
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.kind_book import KindBook
+from fruitgui.gui.line_plans import arrange_turns, line_plan, model_reader, on_station
 from fruitgui.gui.lot_words import LotWords, lot_words
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.recorder import Recorder
@@ -29,15 +28,11 @@ from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.facts import facts_of
 from fruitgui.station.kept_file import Damage, KeptFile
 from fruitgui.station.kinds_file import KindNotes
-from fruitgui.station.live import FLAT_OUT, LIVE, PLAYED
-from fruitgui.station.model import Model
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.recordings_made import FOLDER as RECORDINGS
 from fruitgui.station.settings import Settings
-from fruitgui.station.sources import Sources, is_finite, is_plugged
+from fruitgui.station.sources import Sources
 from fruitgui.station.station import Station
-from fruitgui.station.station_file import station_value
-from fruitgui.station.turn_plan import overlapping, rig_of, schedule_of
 from fruitgui.station.workflow import Facts, Step, StepState, TaughtFacts, step_states
 from fruitgui.station.workflow_file import Marks
 from fruitgui.station.workspace import Workspace
@@ -231,22 +226,13 @@ class Session(QObject):
         """Start the line on the connected sensors, and a lot."""
         station = self.station
         if station is not None:
-            text = json.dumps(station_value(station))
-            whole = replace(plan, reference_sensor=station.reference, model=station.model, station_text=text)
-            self.running.start_lot(self._line_plan(station), whole)
+            self.running.start_lot(self._line_plan(station), on_station(plan, station))
 
     def take_up_lot(self) -> None:
         """Go on with the lot that is open."""
         lot = self.running.lot
         if self.station is not None and lot is not None:
             self.running.take_up(self._line_plan(self.station), lot)
-
-    def _line_plan(self, station: Station) -> LinePlan:
-        connection, model = self.connection, self._model_of(station)
-        if connection is not None and is_finite(connection.source):
-            return LinePlan(station, model, lambda: self.source.fresh_feed(connection), FLAT_OUT)
-        plugged = connection is None or is_plugged(connection.source)
-        return LinePlan(station, model, intake=LIVE if plugged else PLAYED)
 
     def facts(self) -> Facts:
         """Return what exists, as far as the files tell."""
@@ -275,13 +261,8 @@ class Session(QObject):
 
     def _arrange_turns(self) -> None:
         """Let the projectors take turns by what is known of the rig now."""
-        feed = self.connected.feed
-        if feed is not None:
-            rig = rig_of(self.station, {name: info.intrinsics for name, info in feed.infos.items()})
-            known, disturbing = self.projectors.known(), self.projectors.disturbing(feed.infos.values())
-            schedule = schedule_of(feed.infos, None if rig is None else overlapping(rig), known, disturbing)
-            if schedule != feed.schedule:
-                feed.take_turns(schedule)
+        if self.connected.feed is not None:
+            arrange_turns(self.connected.feed, self.station, self.projectors)
 
     def _keep_connection(self, connection: Connection) -> None:
         if connection != self.connection:
@@ -292,17 +273,9 @@ class Session(QObject):
             self._lots = max(self._lots, 1)
         self.states_changed.emit()
 
-    def _model_of(self, station: Station) -> Callable[[], Model | None]:
-        """Return what reads the model that a station names; it takes a moment, so a task calls it."""
-
-        def model() -> Model | None:
-            self._saving.wait()  # what a person typed of kinds just now belongs to the model
-            kept = self.workspace.model(station)
-            if kept.damage is not None:
-                raise kept.damage.error
-            return kept.value
-
-        return model
+    def _line_plan(self, station: Station) -> LinePlan:
+        model = model_reader(self.workspace, self._saving, station)
+        return line_plan(station, model, self.connection, self.source)
 
     def _keep_kinds(self, notes: KindNotes) -> bool:
         self._kinds.put(notes)

@@ -10,18 +10,21 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QLabel,
     QPushButton,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
 
-from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.numbers import THIN
+from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.translate import LANGUAGES
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.decimal_box import DecimalBox
 from fruitgui.station.settings import Settings
 
 MB_PER_GB = 1000
-MOST_DAYS = 3650
+GB_DIGITS = 2
+MOST_GB = 10_000
+MOST_DAYS = 36_500
 
 
 class SettingsDialog(QDialog):
@@ -31,7 +34,7 @@ class SettingsDialog(QDialog):
         super().__init__(parent)
         self._settings = settings
         self.language, self.theme = QComboBox(), QComboBox()
-        self.days, self.free_gb = QSpinBox(), QSpinBox()
+        self.days, self.free_gb = DecimalBox(), DecimalBox()
         self._fill()
         self._lay_out()
         self.setWindowTitle(self.tr("Settings"))
@@ -44,10 +47,15 @@ class SettingsDialog(QDialog):
             update={
                 "language": self.language.currentData(),
                 "theme": self.theme.currentData(),
-                "crops_kept_days": self.days.value(),
-                "least_free_mb": self.free_gb.value() * MB_PER_GB,
+                "crops_kept_days": round(self.days.value()),
+                "least_free_mb": self._least_free_mb(),
             }
         )
+
+    def _least_free_mb(self) -> int:
+        """Return the room as it was typed; to the megabyte as it was where nobody touched it."""
+        kept_mb, typed_gb = self._settings.least_free_mb, self.free_gb.value()
+        return kept_mb if typed_gb == round(kept_mb / MB_PER_GB, GB_DIGITS) else round(typed_gb * MB_PER_GB)
 
     def _fill(self) -> None:
         self.language.addItem(self.tr("As the system"), "")
@@ -61,13 +69,18 @@ class SettingsDialog(QDialog):
             self.theme.addItem(text, name)
         self.language.setCurrentIndex(max(self.language.findData(self._settings.language), 0))
         self.theme.setCurrentIndex(max(self.theme.findData(self._settings.theme), 0))
+        self.days.setDecimals(0)
         self.days.setRange(0, MOST_DAYS)
         self.days.setSpecialValueText(self.tr("for ever"))
         self.days.setSuffix(self.tr(" days"))
         self.days.setValue(self._settings.crops_kept_days)
-        self.free_gb.setRange(0, 1000)
-        self.free_gb.setSuffix(" GB")
-        self.free_gb.setValue(round(self._settings.least_free_mb / MB_PER_GB))
+        for box in (self.days, self.free_gb):
+            box.setMinimumHeight(TOUCH)
+            box.lineEdit().setTextMargins(2 * GRID - 2, 0, 0, 0)
+        self.free_gb.setDecimals(GB_DIGITS)
+        self.free_gb.setRange(0, MOST_GB)
+        self.free_gb.setSuffix(f"{THIN}GB")
+        self.free_gb.setValue(self._settings.least_free_mb / MB_PER_GB)
 
     def _lay_out(self) -> None:
         form = QFormLayout()
@@ -97,6 +110,7 @@ class SettingsDialog(QDialog):
 
     def _row(self, form: QFormLayout, text: str, field: QWidget) -> None:
         named = QLabel(text)
+        named.setMinimumHeight(TOUCH)
         named.setBuddy(field)
         field.setAccessibleName(text.replace("&", ""))
         form.addRow(named, field)

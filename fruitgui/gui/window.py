@@ -47,6 +47,8 @@ class MainWindow(QMainWindow):
         self._lay_out()
         self.rail.chosen.connect(self.go_to)
         messages.said.connect(self.action_bar.say)
+        messages.standing_changed.connect(self.action_bar.stand)
+        self.action_bar.stand(messages.standing)
         tasks.changed.connect(lambda: self._follow_tasks(tasks))
         for key, step in (("Ctrl+PgUp", -1), ("Ctrl+PgDown", 1)):
             QShortcut(QKeySequence(key), self, lambda step=step: self._walk(step))

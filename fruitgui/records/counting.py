@@ -81,6 +81,7 @@ def _row(lot: int, number: int, fruit: Fruit, counted_s: float) -> FruitRow:
         lot_id=lot, number=number, line_number=fruit.fruit, counted_s=counted_s,
         machine_kind=fruit.kind, kind_probability=known(fruit.kind_probability), kind=fruit.kind, counted=True,
         outlet=None, views=fruit.views, first_seen_s=fruit.first_seen_s, last_seen_s=fruit.last_seen_s,
+        volume_shared_m3=known(fruit.volume_shared_m3), mass_shared_kg=known(fruit.mass_shared_kg),
         coverage=known(size.coverage), spoilt=known(size.spoilt), paper_volume_m3=known(fruit.volume_paper_m3),
         **columns("volume{}_m3", fruit.volume_m3), **columns("fitted_volume{}_m3", size.volume_m3),
         **columns("mass{}_kg", fruit.mass_kg), **columns("length{}_m", size.length_m),

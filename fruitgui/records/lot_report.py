@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import sqrt
 
 from fruitgui.measurement.fruit import Quantity
+from fruitgui.measurement.sums import SharedSum
 from fruitgui.records.distribution import Distribution, Measured
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot
 from fruitgui.records.store import Store
-from fruitgui.records.totals import INDEPENDENT, KindTotal
+from fruitgui.records.totals import SHARING, KindTotal
 
 SPREAD: tuple[Measured, ...] = ("volume_m3", "mass_kg", "diameter_m", "length_m")
 
@@ -67,12 +67,8 @@ def report_lot(store: Store, lot: int, now_s: float, bins: int = 30) -> LotRepor
         corrected=store.fruit.find(FruitQuery(lot, which="corrected", count=0)).found,
         measured=sum(one.measured for one in kinds),
         weighed=sum(one.weighed for one in kinds),
-        volume_m3=_together([one.volume_m3 for one in kinds]),
-        mass_kg=_together([one.mass_kg for one in kinds]),
+        volume_m3=sum((one.volume for one in kinds), SharedSum()).quantity,
+        mass_kg=sum((one.mass for one in kinds), SharedSum()).quantity,
         spread={measured: store.fruit.distribution(lot, measured, bins) for measured in SPREAD},
-        note=INDEPENDENT,
+        note=SHARING,
     )
-
-
-def _together(parts: list[Quantity]) -> Quantity:
-    return Quantity(sum(one.value for one in parts), sqrt(sum(one.std**2 for one in parts)))

@@ -32,7 +32,7 @@ class Schema:
     version: str
 
 
-RECORDS = Schema("records.sqlite", SCRIPTS / "records", "0003")
+RECORDS = Schema("records.sqlite", SCRIPTS / "records", "0004")
 PICTURES = Schema("pictures.sqlite", SCRIPTS / "pictures", "0001")
 
 

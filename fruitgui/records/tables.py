@@ -122,6 +122,8 @@ class FruitRow(Base):
     views: Mapped[int]
     first_seen_s: Mapped[float | None]
     last_seen_s: Mapped[float | None]
+    volume_shared_m3: Mapped[float | None]
+    mass_shared_kg: Mapped[float | None]
 
 
 class PathRow(Base):
@@ -163,6 +165,10 @@ class TotalRow(Base):
     mass_kg: Mapped[float]
     mass_variance_kg2: Mapped[float]
     mass_square_kg2: Mapped[float]
+    volume_shared_m3: Mapped[float] = mapped_column(server_default=text("0"))
+    volume_shared_square_m6: Mapped[float] = mapped_column(server_default=text("0"))
+    mass_shared_kg: Mapped[float] = mapped_column(server_default=text("0"))
+    mass_shared_square_kg2: Mapped[float] = mapped_column(server_default=text("0"))
 
 
 class TaughtRow(Base):

@@ -13,16 +13,19 @@ from sqlalchemy.orm import Session
 
 from fruitgui.frame import F64
 from fruitgui.measurement.fruit import Quantity
+from fruitgui.measurement.sums import SharedSum
 from fruitgui.records.tables import FruitRow, TotalRow
 
-INDEPENDENT = (
-    "The ± of a total adds the measurements' own variances, as if no two fruit shared an error. What all fruit of a "
-    "lot share (the rig's scale, a kind's volume correction) is not in it."
+SHARING = (
+    "The ± of a total adds what each fruit errs by alone as squares, and what fruit err by together (the rig's scale, "
+    "a kind's volume correction, its density) as it is: that part does not average out."
 )
 
 _SUMS = (
     "fruit", "measured", "volume_m3", "volume_variance_m6", "volume_square_m6",
+    "volume_shared_m3", "volume_shared_square_m6",
     "weighed", "mass_kg", "mass_variance_kg2", "mass_square_kg2",
+    "mass_shared_kg", "mass_shared_square_kg2",
 )  # fmt: skip
 
 
@@ -34,32 +37,38 @@ class KindTotal:
         kind: that holds, corrected or the machine's.
         fruit: how many.
         measured, weighed: of these, how many have a volume, a mass.
-        volume_m3, mass_kg: sums over those, each std from independent measurements, see `INDEPENDENT`.
+        volume, mass: sums over those, m³ and kg, see `SHARING`.
         volume_spread_m3, mass_spread_kg: standard deviation between fruit; NaN below two.
     """
 
     kind: str
     fruit: int
     measured: int
-    volume_m3: Quantity
+    volume: SharedSum
     volume_spread_m3: float
     weighed: int
-    mass_kg: Quantity
+    mass: SharedSum
     mass_spread_kg: float
+
+    @property
+    def volume_m3(self) -> Quantity:
+        """All volumes together."""
+        return self.volume.quantity
+
+    @property
+    def mass_kg(self) -> Quantity:
+        """All masses together."""
+        return self.mass.quantity
 
     @property
     def mean_volume_m3(self) -> Quantity | None:
         """Mean of the measured fruit, and how well the measurements tell it."""
-        return _mean(self.volume_m3, self.measured)
+        return self.volume.mean(self.measured)
 
     @property
     def mean_mass_kg(self) -> Quantity | None:
         """Mean of the weighed fruit, and how well the measurements tell it."""
-        return _mean(self.mass_kg, self.weighed)
-
-
-def _mean(total: Quantity, count: int) -> Quantity | None:
-    return Quantity(total.value / count, total.std / count) if count else None
+        return self.mass.mean(self.weighed)
 
 
 def add(session: Session, rows: Collection[FruitRow]) -> None:
@@ -86,13 +95,19 @@ def _change(session: Session, rows: Collection[FruitRow], sign: int) -> None:
 
 
 def _parts(row: FruitRow) -> list[float]:
-    return [1, *_moments(row.volume_m3, row.volume_std_m3), *_moments(row.mass_kg, row.mass_std_kg)]
+    return [
+        1,
+        *_moments(row.volume_m3, row.volume_std_m3, row.volume_shared_m3),
+        *_moments(row.mass_kg, row.mass_std_kg, row.mass_shared_kg),
+    ]
 
 
-def _moments(value: float | None, std: float | None) -> list[float]:
+def _moments(value: float | None, std: float | None, shared: float | None) -> list[float]:
+    """Return what a measurement adds to the sums, in the order of `_SUMS`; fruit of before said nothing of sharing."""
     if value is None:
-        return [0, 0.0, 0.0, 0.0]
-    return [1, value, (std or 0.0) ** 2, value**2]
+        return [0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    one = SharedSum.of(value, std or 0.0, shared)
+    return [1, value, one.variance, value**2, one.shared, one.shared_square]
 
 
 def totals(session: Session, lots: Collection[int]) -> dict[int, tuple[KindTotal, ...]]:
@@ -109,10 +124,10 @@ def _total(row: TotalRow) -> KindTotal:
         kind=row.kind,
         fruit=row.fruit,
         measured=row.measured,
-        volume_m3=Quantity(row.volume_m3, sqrt(max(row.volume_variance_m6, 0.0))),
+        volume=SharedSum(row.volume_m3, row.volume_variance_m6, row.volume_shared_m3, row.volume_shared_square_m6),
         volume_spread_m3=_spread(row.measured, row.volume_m3, row.volume_square_m6),
         weighed=row.weighed,
-        mass_kg=Quantity(row.mass_kg, sqrt(max(row.mass_variance_kg2, 0.0))),
+        mass=SharedSum(row.mass_kg, row.mass_variance_kg2, row.mass_shared_kg, row.mass_shared_square_kg2),
         mass_spread_kg=_spread(row.weighed, row.mass_kg, row.mass_square_kg2),
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import nan
 
 from fruitgui.measurement.fruit import Quantity, Size
 from fruitgui.tracking.track import PathPoint
@@ -22,6 +23,8 @@ class Fruit:
         volume_paper_m3: by the source's method, where it was asked for.
         views: how many sensors' frames saw it.
         path: where its centre of volume was, reference frame and clock.
+        volume_shared_m3, mass_shared_kg: the parts of their standard deviations that other fruit of the kind share, see
+            `measurement.shared`; NaN where they are not known.
     """
 
     fruit: int
@@ -33,6 +36,8 @@ class Fruit:
     volume_paper_m3: float | None
     views: int
     path: tuple[PathPoint, ...]
+    volume_shared_m3: float = nan
+    mass_shared_kg: float = nan
 
     @property
     def first_seen_s(self) -> float:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import nan
 
 import numpy as np
 
 from fruitgui.classification.evidence import UNKNOWN, Evidence, FeatureNames, KindVote
 from fruitgui.frame import F32, F64
 from fruitgui.geometry.rig import Rig
+from fruitgui.measurement.correction import VolumeCorrection
 from fruitgui.measurement.fruit import Quantity, Size
+from fruitgui.measurement.shared import shared_mass_std_kg, shared_volume_std_m3
 from fruitgui.measurement.size import measure
 from fruitgui.perception.features import FEATURE_NAMES
 from fruitgui.station.fruit import Fruit
@@ -47,6 +50,7 @@ class Judgement:
         volume_m3: corrected by what reference fruit taught, where they did.
         mass_kg: where the kind's density is known.
         volume_paper_m3: by the source's method, where it was asked for.
+        volume_shared_m3, mass_shared_kg: see `Fruit`.
     """
 
     vote: KindVote
@@ -55,6 +59,8 @@ class Judgement:
     volume_m3: Quantity
     mass_kg: Quantity | None
     volume_paper_m3: float | None = None
+    volume_shared_m3: float = nan
+    mass_shared_kg: float = nan
 
     def fruit(self, number: int, track: Track) -> Fruit:
         """Return the fruit that a finished track is, with its number."""
@@ -68,6 +74,8 @@ class Judgement:
             volume_paper_m3=self.volume_paper_m3,
             views=len(track.path),
             path=track.path,
+            volume_shared_m3=self.volume_shared_m3,
+            mass_shared_kg=self.mass_shared_kg,
         )
 
 
@@ -100,12 +108,13 @@ class Judge:
         with self._watch.stage("classify"):
             decided_on = evidence(track, size)
             vote = NOBODY_SAYS if self._model is None else self._model.kinds.vote(decided_on)
-        volume_m3, mass_kg = size.volume_m3, None
-        if self._model is not None:
-            volume_m3 = self._model.correction.volume(vote.kind, size)
-            mass_kg = self._model.correction.mass(vote.kind, volume_m3)
+        correction = VolumeCorrection() if self._model is None else self._model.correction
+        volume_m3 = correction.volume(vote.kind, size)
+        mass_kg = correction.mass(vote.kind, volume_m3)
+        shared_m3 = shared_volume_std_m3(correction, vote.kind, size, volume_m3)
+        shared_kg = nan if mass_kg is None else shared_mass_std_kg(correction, vote.kind, mass_kg, volume_m3, shared_m3)
         paper_m3 = None if self._paper_volume is None else self._paper_volume(track)
-        return Judgement(vote, size, decided_on, volume_m3, mass_kg, paper_m3)
+        return Judgement(vote, size, decided_on, volume_m3, mass_kg, paper_m3, shared_m3, shared_kg)
 
 
 def evidence(track: Track, size: Size) -> Evidence:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -28,10 +29,14 @@ def fruit_value(fruit: Fruit) -> dict[str, Any]:
         "kind_probability": fruit.kind_probability,
         **_quantity("volume", "ml", fruit.volume_m3, ML_PER_M3),
     }
+    if isfinite(fruit.volume_shared_m3):
+        value["volume_shared_std_ml"] = fruit.volume_shared_m3 * ML_PER_M3
     if fruit.volume_paper_m3 is not None:
         value["volume_paper_ml"] = fruit.volume_paper_m3 * ML_PER_M3
     if fruit.mass_kg is not None:
         value |= _quantity("mass", "g", fruit.mass_kg, G_PER_KG)
+        if isfinite(fruit.mass_shared_kg):
+            value["mass_shared_std_g"] = fruit.mass_shared_kg * G_PER_KG
     return value | {
         **_quantity("perimeter", "mm", fruit.size.perimeter_m, MM_PER_M),
         **_quantity("length", "mm", fruit.size.length_m, MM_PER_M),

@@ -31,6 +31,8 @@ CORNERS = np.array([[0.0, 0.0], [0.8, 0.0], [0.8, 0.4], [0.0, 0.4]])
         (Blind(("a", "b"), ((0.0, 0.65),), 0.65, 1.0), ("a, b away", "no sensor sees any of the belt")),
         (Blind(("a",), ((0.0, 0.2), (0.5, 0.65)), 0.65, 0.5), ("right part", "left part")),
         (Blind(("a",), None, None, 0.4), ("40", "of the belt is seen by no sensor")),
+        (Blind(("a",), None, None, 0.996), ("99", "of the belt is seen by no sensor")),
+        (Blind(("a",), None, None, 0.004), ("1", "of the belt is seen by no sensor")),
         (NOTHING_LOST, ("still seen by another",)),
     ],
 )

@@ -42,6 +42,7 @@ def test_how_a_sensor_is(health: SensorHealth | None, expected: str, word: str) 
 def test_figures_are_said_with_what_they_are_to_be_held_against() -> None:
     assert rate_text(_health()) == "29.8 of 30.0 a second"
     assert rate_text(_health(nominal_hz=0.0)) == "29.8 a second"
+    assert rate_text(_health(rate_hz=2.9, nominal_hz=2.4)) == "2.9 a second", "more than promised is no part of it"
     assert lost_text(_health()) == "none of 1\u202f000"
     assert lost_text(_health(drops=12)) == "12 of 1\u202f012"
 

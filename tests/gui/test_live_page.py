@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.live.end_dialog import EndDialog
 from fruitgui.gui.steps.live.lot_dialog import LotDialog
 from fruitgui.gui.steps.live.page import LivePage
 from fruitgui.gui.theme.theme import Theme
@@ -56,6 +57,17 @@ def _start(qtbot: QtBot, session: Session, page: LivePage, name: str = "1184") -
     qtbot.waitUntil(lambda: session.running.running, timeout=LONG_MS)
 
 
+def _asked_to_end(page: LivePage) -> EndDialog:
+    page.end.trigger()
+    assert page._question is not None
+    return page._question
+
+
+def _end(qtbot: QtBot, session: Session, page: LivePage) -> None:
+    qtbot.mouseClick(_asked_to_end(page).end, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: session.running.lot is None, timeout=LONG_MS)
+
+
 def _run_to_the_end(qtbot: QtBot, session: Session) -> None:
     def over() -> bool:
         state = session.running.state
@@ -85,8 +97,9 @@ def test_a_lot_counts_what_crossed_and_is_kept(qtbot: QtBot, session: Session, r
     _start(qtbot, session, ready)
     assert ready.main_action is ready.end
     _run_to_the_end(qtbot, session)
-    ready.end.trigger()
-    qtbot.waitUntil(lambda: session.running.lot is None, timeout=LONG_MS)
+    pictures = ready.body.pictures.pictures.values()
+    qtbot.waitUntil(lambda: {one.accessibleDescription() for one in pictures} == {"the last picture of the recording"})
+    _end(qtbot, session, ready)
     assert session.running.tally.count_all == FRUIT
     assert ready.body.counts.accessibleDescription() == f"Unknown: {FRUIT}"
     (lot,) = session.store.lots.find(LotQuery()).lots
@@ -99,11 +112,60 @@ def test_a_paused_lot_lets_fruit_pass_uncounted(qtbot: QtBot, session: Session, 
     ready.pause.trigger()
     qtbot.waitUntil(lambda: session.running.paused, timeout=LONG_MS)
     assert ready.main_action is ready.resume
+    assert ready.body.standing.accessibleName() == "Nothing is counted. Lot 1184 is paused."
+    assert ready.body.standing.isVisible()
     _run_to_the_end(qtbot, session)
     state = session.running.state
     assert state is not None
     assert session.running.tally.count_all + state.totals.passed == FRUIT
     assert state.totals.passed > 0
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape], ids=str)
+@pytest.mark.parametrize("on", ["leave", "end"])
+def test_a_lot_ends_by_no_key_that_is_pressed_in_passing(
+    qtbot: QtBot, session: Session, theme: Theme, key: Qt.Key, on: str
+) -> None:
+    page = _left_open(qtbot, session, theme, 3)
+    dialog = _asked_to_end(page)
+    assert dialog._count.text().endswith(": 3")
+    assert dialog.focusWidget() is dialog.leave
+    button = getattr(dialog, on)
+    button.setFocus()
+    qtbot.keyClick(button, key)
+    assert dialog.result() == EndDialog.DialogCode.Rejected
+    assert not dialog.isVisible()
+    lot = session.running.lot
+    assert lot is not None
+    assert session.store.lots.get(lot.key).ended_s is None
+    assert _asked_to_end(page) is not dialog, "it can be asked again"
+
+
+def test_what_is_counted_while_it_is_asked_shows_in_the_question(qtbot: QtBot, session: Session, theme: Theme) -> None:
+    page = _left_open(qtbot, session, theme, 3)
+    dialog = _asked_to_end(page)
+    session.running.tally.count(made_fruit(4, "lemon"), 0.0)
+    page._draw_counts()
+    assert dialog._count.text().endswith(": 4")
+
+
+def test_a_lot_that_stands_still_says_so_over_the_counts(qtbot: QtBot, session: Session, theme: Theme) -> None:
+    page = _left_open(qtbot, session, theme, 1)
+    assert page.body.standing.accessibleName() == "Nothing is counted. Lot 1184 is open; the line stands still."
+    assert not page.body.standing.isHidden()
+    _end(qtbot, session, page)
+    assert page.body.standing.isHidden()
+
+
+def _left_open(qtbot: QtBot, session: Session, theme: Theme, fruit: int) -> LivePage:
+    lot = session.store.lots.start(LotPlan("1184"))
+    for number in range(1, fruit + 1):
+        session.store.commit(lot.key, made_fruit(number, "lemon"), ())
+    session.running.find_open_lot()
+    page = LivePage(session, theme)
+    qtbot.addWidget(page)
+    page.show()
+    return page
 
 
 def test_a_lot_that_was_left_open_is_ended_without_its_sensors(qtbot: QtBot, session: Session, theme: Theme) -> None:
@@ -116,8 +178,7 @@ def test_a_lot_that_was_left_open_is_ended_without_its_sensors(qtbot: QtBot, ses
     assert session.connected.feed is None
     assert session.running.tally.count_all == 3, "what was counted is shown"
     assert page.end in page.other_actions
-    page.end.trigger()
-    qtbot.waitUntil(lambda: session.running.lot is None, timeout=LONG_MS)
+    _end(qtbot, session, page)
     assert "1184 is ended with 3 fruit" in session.messages.history[-1].what
     ended = session.store.lots.get(lot.key)
     assert ended.ended_s is not None

@@ -8,12 +8,14 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.drawn import BeltMap, DrawnFruit, DrawnPicture, KindLine, LastFruit, MappedFruit
 from fruitgui.gui.steps.live.belt_map import BeltView
-from fruitgui.gui.steps.live.counts import TOTAL, CountsView
+from fruitgui.gui.steps.live.counts import LEAST, TOTAL, CountsView, places_for
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
 from fruitgui.gui.steps.live.layout import Pictures, columns_for
+from fruitgui.gui.steps.live.presenter import stale_words
 from fruitgui.gui.theme.kinds import kind_marks
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.widgets.sensor_picture import Overlays, SensorPicture
+from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.live.state import Spread
 
 MARKS = kind_marks(["lemon", "red apple"])
@@ -44,6 +46,39 @@ def test_outlines_are_where_the_fruit_is_and_can_be_left_out(qtbot: QtBot, theme
     assert image.pixelColor(QPoint(round(320 * ratio), round(240 * ratio))) == QColor(90, 90, 90)
     view.show_overlays(Overlays(outlines=False, labels=False, ellipses=False, trails=False))
     assert _count_of(view, MARKS["lemon"].colour) == 0
+
+
+def test_a_picture_that_is_not_of_now_is_grey_veiled_and_shows_no_fruit(qtbot: QtBot, theme: Theme) -> None:
+    view = SensorPicture("kinect_1", theme)
+    qtbot.addWidget(view)
+    view.resize(640, 480)
+    red = np.full((480, 640, 3), (220, 40, 40), np.uint8)
+    view.show_picture(DrawnPicture("kinect_1", red, (_fruit(),), "good", ""))
+    assert view.grab().toImage().pixelColor(100, 400) == QColor(220, 40, 40)
+    view.show_picture(DrawnPicture("kinect_1", red, (_fruit(),), "bad", "silent", "no picture for 12 s"))
+    seen = view.grab().toImage().pixelColor(100, 400)
+    assert seen.hslSaturationF() < 0.15
+    assert seen.lightness() < 80
+    assert _count_of(view, MARKS["lemon"].colour) == 0
+    assert view.accessibleDescription() == "no picture for 12 s"
+    view.show_picture(DrawnPicture("kinect_1", red, (), "good", ""))
+    assert view.grab().toImage().pixelColor(100, 400) == QColor(220, 40, 40), "it is back"
+
+
+@pytest.mark.parametrize(
+    ("health", "words"),
+    [
+        (SensorHealth("kinect_1", Running.RUNNING, age_s=0.1), ""),
+        (SensorHealth("kinect_1", Running.STARTING), ""),
+        (SensorHealth("kinect_1", Running.SILENT, age_s=12.4), "no picture for 12\u2009s"),
+        (SensorHealth("kinect_1", Running.RUNNING, age_s=8.0, hangs=True), "no picture for 8\u2009s"),
+        (SensorHealth("kinect_1", Running.FAILED, age_s=200.0), "no picture for 3\u2009min"),
+        (SensorHealth("kinect_1", Running.FAILED), "no picture yet"),
+        (SensorHealth("kinect_1", Running.ENDED, age_s=9.0), "the last picture of the recording"),
+    ],
+)
+def test_a_sensor_that_gives_nothing_says_since_when(health: SensorHealth, words: str) -> None:
+    assert stale_words(health) == words
 
 
 def test_a_picture_keeps_its_shape_whatever_room_it_has(qtbot: QtBot, theme: Theme) -> None:
@@ -84,7 +119,7 @@ def test_pictures_arrange_themselves(sensors: int, columns: int) -> None:
 
 
 def _line(kind: str, count: int) -> KindLine:
-    return KindLine(MARKS[kind], kind, count, 110.0, 8.0, 0.11 * count, None, 31)
+    return KindLine(MARKS[kind], kind, count, 110.0, 2.0, 8.0, 0.11 * count, None, 31)
 
 
 def test_counts_say_what_they_show_to_a_screen_reader(qtbot: QtBot, theme: Theme) -> None:
@@ -105,6 +140,47 @@ def test_counts_are_high_enough_for_two_metres(qtbot: QtBot, theme: Theme) -> No
     top = TOTAL
     rows = [y for y in range(top, top + 56) if any(image.pixelColor(x, y) == ink for x in range(325, 360))]
     assert rows[-1] - rows[0] + 1 >= 29
+
+
+@pytest.mark.parametrize(("width", "height"), [(360, 380), (360, 308), (600, 640), (1350, 1480), (300, 200)])
+@pytest.mark.parametrize("rows", [0, 1, 6, 8, 12])
+def test_all_kinds_are_in_view(rows: int, width: int, height: int) -> None:
+    places = places_for(rows, width, height)
+    corners = [places.place(number, rows) for number in range(rows)]
+    assert len({one.toTuple() for one in corners}) == rows
+    for corner in corners:
+        assert corner.x() + places.width <= width + 1e-6
+        assert places.top <= corner.y() <= height - places.height + 1e-6
+    assert places.columns == 1 or (height - places.top) / rows < LEAST, "in two columns only where there is no room"
+
+
+def _ink_height(view: CountsView, row: int, rows: int) -> int:
+    """Return how high the figure at the right of a row is, pixels."""
+    places, image = places_for(rows, view.width(), view.height()), view.grab().toImage()
+    ink, top = view._theme.colour("text"), round(places.place(row, rows).y())
+    columns = range(round(places.width) - 40, round(places.width))
+    lines = [y for y in range(top, round(top + places.height)) if any(image.pixelColor(x, y) == ink for x in columns)]
+    return lines[-1] - lines[0] + 1
+
+
+def test_counts_grow_with_the_room_that_there_is(qtbot: QtBot, theme: Theme) -> None:
+    view = CountsView(theme)
+    qtbot.addWidget(view)
+    view.show_lines([_line("lemon", 8)] * 6)
+    view.resize(600, 640)
+    usual = _ink_height(view, 5, 6)
+    view.resize(1350, 1480)
+    assert _ink_height(view, 5, 6) > 1.5 * usual
+    assert _ink_height(view, 5, 6) > 64
+
+
+def test_eight_rows_are_drawn_in_the_least_room(qtbot: QtBot, theme: Theme) -> None:
+    """A window of 1280×720 with seven kinds and the band that says that nothing is counted."""
+    view = CountsView(theme)
+    qtbot.addWidget(view)
+    view.resize(360, 308)
+    view.show_lines([_line("lemon", 8)] * 8)
+    assert _ink_height(view, 7, 8) >= 14
 
 
 def test_the_belt_is_drawn_with_what_is_on_it(qtbot: QtBot, theme: Theme) -> None:

@@ -7,7 +7,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QLocale
 
-from fruitgui.gui.numbers import count_text, decimals_for, measured_text, number_text, percent_text
+from fruitgui.gui.numbers import (
+    count_text,
+    decimals_for,
+    measured_text,
+    number_text,
+    percent_text,
+    shares_text,
+)
 from fruitgui.gui.widgets.histogram import ticks
 
 
@@ -44,6 +51,21 @@ def test_numbers_follow_the_window_s_language() -> None:
 @pytest.mark.parametrize(("share", "text"), [(1.0, "100\u2009%"), (0.9999, "99\u2009%"), (0.5, "50\u2009%")])
 def test_only_what_is_certain_is_a_hundred_per_cent(share: float, text: str) -> None:
     assert percent_text(share) == text
+
+
+@given(st.lists(st.integers(0, 5000), min_size=1, max_size=12))
+def test_shares_sum_to_the_whole_and_no_part_is_it(counts: list[int]) -> None:
+    shares = [float(text.split()[0]) for text in shares_text(counts)]
+    assert sum(shares) == pytest.approx(100.0 if sum(counts) else 0.0)
+    for share, count in zip(shares, counts, strict=True):
+        assert (share > 0.0) == (count > 0)
+        assert (share == 100.0) == (0 < count == sum(counts))
+        assert share == pytest.approx(100 * count / max(sum(counts), 1), abs=0.1 * len(counts))
+
+
+def test_what_is_nearly_all_is_not_all() -> None:
+    assert shares_text([9996, 4]) == ["99.9\u2009%", "0.1\u2009%"]
+    assert shares_text([1, 1, 1]) == ["33.4\u2009%", "33.3\u2009%", "33.3\u2009%"]
 
 
 @given(st.floats(-1e6, 1e6), st.floats(1e-3, 1e6))

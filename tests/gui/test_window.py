@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.action_bar import ActionButton
+from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
@@ -102,6 +103,25 @@ def test_a_standing_error_is_not_pushed_away_by_a_lesser_word(
     with qtbot.waitSignal(window.action_bar.closed_message):
         qtbot.mouseClick(close, Qt.MouseButton.LeftButton)
     assert not close.isVisible()
+
+
+def test_what_holds_is_shown_for_as_long_as_it_holds(session: Session, window: MainWindow) -> None:
+    bar, messages = window.action_bar, session.messages
+    window.page(Step.CONNECT).say("Put fruit on the belt.")
+    blind = Message(Level.BAD, "No sensor sees the left part.", "Fruit there are not counted.")
+    messages.stand("blind", blind)
+    assert (bar._text.text(), bar._detail.text()) == (blind.what, blind.remedy)
+    messages.info("Saved.")
+    assert bar._text.text() == "Saved."
+    bar._timer.timeout.emit()
+    assert bar._text.text() == blind.what, "a passing word is over, what holds goes on"
+    messages.stand("room", Message(Level.WARN, "The disk is nearly full."))
+    assert bar._text.text() == blind.what, "what matters most comes first"
+    assert not bar._close.isVisible()
+    messages.stand("blind", None)
+    assert bar._text.text() == "The disk is nearly full."
+    messages.stand("room", None)
+    assert bar._text.text() == "Put fruit on the belt."
 
 
 def test_the_rail_says_how_far_each_step_is(window: MainWindow) -> None:

@@ -19,6 +19,7 @@ from fruitgui.gui.steps.belt.page import BeltPage
 from fruitgui.gui.steps.calibrate.page import CalibratePage
 from fruitgui.gui.steps.connect.offers import SIMULATED
 from fruitgui.gui.steps.connect.page import ConnectPage
+from fruitgui.gui.steps.live.end_dialog import EndDialog
 from fruitgui.gui.steps.live.lot_dialog import LotDialog
 from fruitgui.gui.steps.live.page import LivePage
 from fruitgui.gui.steps.lots.page import LotsPage
@@ -171,10 +172,15 @@ def start_lot(operator: Operator, called: str) -> LivePage:
     return page
 
 
+def end_lot(operator: Operator, page: LivePage) -> None:
+    operator.press(page.end)
+    operator.click(operator.dialog(EndDialog).end)
+
+
 def run_a_lot(operator: Operator, shop: Shop, called: str) -> None:
     page = start_lot(operator, called)
     operator.wait(lambda: _ended(operator))
-    operator.press(page.end)
+    end_lot(operator, page)
     operator.wait(lambda: operator.session.running.lot is None)
     shown = Counter(dict(_counts(page.body.counts.accessibleDescription())))
     truth = Counter(fruit.kind for fruit in shop.rigs[-1].crossed())
@@ -206,7 +212,7 @@ def take_up(operator: Operator) -> None:
     operator.press(page.take_up)
     operator.wait(lambda: operator.session.running.running)
     assert operator.session.running.tally.count_all >= ENOUGH_FRUIT
-    operator.press(page.end)
+    end_lot(operator, page)
     operator.wait(lambda: operator.session.running.lot is None)
 
 

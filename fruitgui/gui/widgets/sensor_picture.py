@@ -37,6 +37,12 @@ WORDS_FROM = 0.85
 """Labels have words where a pixel of the sensor takes at least so many of the screen; below, mark and number only."""
 
 SHADE = QColor(0, 0, 0, 150)
+VEIL = QColor(20, 24, 28, 165)
+"""Over a picture that is not of now."""
+
+VEIL_WORDS_SHARE = 1 / 22
+"""How high the words over it are, of the picture's width."""
+
 HEALTH = {"good": "#4cc38a", "warn": "#f0b23e", "bad": "#ff7a70", "info": "#a4afb8"}
 
 T = TypeVar("T")
@@ -83,9 +89,11 @@ class SensorPicture(QWidget):
 
     def show_picture(self, drawn: DrawnPicture) -> None:
         """Show another picture."""
-        if self._drawn is None or drawn.color is not self._drawn.color:
-            self._image = image_of(drawn.color)
-        self._drawn = drawn
+        before, self._drawn = self._drawn, drawn
+        if before is None or drawn.color is not before.color or bool(drawn.stale) != bool(before.stale):
+            image = image_of(drawn.color)
+            self._image = image.convertToFormat(QImage.Format.Format_Grayscale8) if drawn.stale else image
+        self.setAccessibleDescription(drawn.stale)
         self.update()
 
     def show_overlays(self, overlays: Overlays) -> None:
@@ -141,6 +149,9 @@ class SensorPicture(QWidget):
         place = QRectF(0, 0, size.width(), size.height())
         place.moveCenter(QRectF(self.rect()).center())
         painter.drawImage(place, self._image)
+        if drawn.stale:
+            self._paint_veil(painter, place, drawn.stale)
+            return  # the fruit that were in it are elsewhere by now
         scale = place.width() / max(self._image.width(), 1)
         to_screen = QTransform.fromTranslate(place.left(), place.top()).scale(scale, scale)
         outlined = [(one, on_screen(thinned(one.outline_px, scale), to_screen)) for one in drawn.fruit]
@@ -156,6 +167,15 @@ class SensorPicture(QWidget):
         if self._overlays.labels:
             worded, ratio = scale >= WORDS_FROM, self.devicePixelRatioF()
             self._labels.paint(painter, outlined, place, worded=worded, ratio=ratio)
+
+    def _paint_veil(self, painter: QPainter, place: QRectF, words: str) -> None:
+        """Draw what keeps an old picture from looking as if it were of now."""
+        painter.fillRect(place, VEIL)
+        font = self._theme.font("title", QFont.Weight.DemiBold)
+        font.setPixelSize(max(font.pixelSize(), round(place.width() * VEIL_WORDS_SHARE)))
+        painter.setFont(font)
+        painter.setPen(INK)
+        painter.drawText(place, int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap), words)
 
     def _caption(self) -> QPixmap:
         """Return the words on the sensor."""

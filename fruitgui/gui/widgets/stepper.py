@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QDoubleSpinBox, QHBoxLayout, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.decimal_box import DecimalBox
 
 LEAST_WIDTH = 96
 
@@ -24,7 +25,7 @@ class Stepper(QWidget):
     def __init__(self, theme: Theme, digits: int = 0, unit: str = "", parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
-        self.box = QDoubleSpinBox()
+        self.box = DecimalBox()
         self.box.setDecimals(digits)
         self.box.setSuffix(f"\u2009{unit}" if unit else "")
         self.box.setAlignment(Qt.AlignmentFlag.AlignCenter)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from math import floor
 
 import cv2
 import numpy as np
@@ -110,7 +111,8 @@ def blind_words(blind: Blind) -> str:
     if not blind.loses_fruit:
         return f"{begin}; every part of the belt is seen by another, so fruit are counted, but measured less surely."
     if blind.lanes_m is None or blind.width_m is None:
-        return f"{begin}; {blind.share:.0%} of the belt is seen by no sensor, and fruit there are not counted."
+        percent = max(floor(100 * blind.share), 1)  # what is not the whole is never called so
+        return f"{begin}; {percent}% of the belt is seen by no sensor, and fruit there are not counted."
     lanes = ", ".join(
         "the whole belt"
         if side == "whole"

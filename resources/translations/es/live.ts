@@ -26,9 +26,60 @@
         <source>{rate}/min</source>
         <translation>{rate}/min</translation>
     </message>
+    <message>
+        <source>spread {spread}</source>
+        <translation>dispersión {spread}</translation>
+    </message>
+</context>
+<context>
+    <name>EndDialog</name>
+    <message>
+        <source>End lot</source>
+        <translation>Terminar lote</translation>
+    </message>
+    <message>
+        <source>Leave it open</source>
+        <translation>Dejarlo abierto</translation>
+    </message>
+    <message>
+        <source>End lot {name}?</source>
+        <translation>¿Terminar el lote {name}?</translation>
+    </message>
+    <message>
+        <source>Fruit counted so far: {count}</source>
+        <translation>Fruta contada hasta ahora: {count}</translation>
+    </message>
+    <message>
+        <source>What is in view is counted first, then the line stops.</source>
+        <translation>Antes se cuenta lo que está a la vista; luego la línea se detiene.</translation>
+    </message>
+    <message>
+        <source>A lot that is ended cannot be taken up again.</source>
+        <translation>Un lote terminado no se puede retomar.</translation>
+    </message>
+    <message>
+        <source>To go on with it later, pause it.</source>
+        <translation>Para seguir más tarde, páuselo.</translation>
+    </message>
+    <message>
+        <source>Left open, you can go on with it at any time.</source>
+        <translation>Si lo deja abierto, puede seguir con él cuando quiera.</translation>
+    </message>
 </context>
 <context>
     <name>Health</name>
+    <message>
+        <source>the last picture of the recording</source>
+        <translation>la última imagen de la grabación</translation>
+    </message>
+    <message>
+        <source>no picture yet</source>
+        <translation>todavía sin imagen</translation>
+    </message>
+    <message>
+        <source>no picture for {time}</source>
+        <translation>sin imagen desde hace {time}</translation>
+    </message>
     <message>
         <source>does not answer</source>
         <translation>no responde</translation>
@@ -137,6 +188,18 @@
     <message>
         <source>Lot {name} is running.</source>
         <translation>El lote {name} está en marcha.</translation>
+    </message>
+    <message>
+        <source>Lot {name} is paused.</source>
+        <translation>El lote {name} está en pausa.</translation>
+    </message>
+    <message>
+        <source>Lot {name} is open; the line stands still.</source>
+        <translation>El lote {name} está abierto; la línea está detenida.</translation>
+    </message>
+    <message>
+        <source>Nothing is counted</source>
+        <translation>No se cuenta nada</translation>
     </message>
     <message>
         <source>Name unknown fruit: {count}</source>

@@ -496,8 +496,8 @@
         <translation>Sensores que ven color y profundidad siguieron cada fruta sobre la cinta; cada una se contó una vez y se midió con todas sus vistas juntas: una superficie cerrada a través de lo visto da volumen, largo y diámetro. Nada se pesó; una masa es el volumen por la densidad de su tipo, donde se conoce.</translation>
     </message>
     <message>
-        <source>± is half the width of a 95 % interval. That of totals and means adds the errors of single fruit as if no two shared one. What all fruit of a lot share, such as the scale of the sensors&apos; placement or the correction of a kind, is not in it.</source>
-        <translation>± es la mitad del ancho de un intervalo del 95 %. El de totales y medias suma los errores de cada fruta como si ninguna compartiera el suyo con otra. Lo que toda la fruta de un lote comparte, como la escala de la ubicación de los sensores o la corrección de un tipo, no está incluido.</translation>
+        <source>± is half the width of a 95 % interval. In that of totals and means the errors of single fruit average out; what fruit err by together, such as the sensors&apos; scale, the correction of a kind, or its density, does not, and is in it whole.</source>
+        <translation>± es la mitad del ancho de un intervalo del 95 %. En el de los totales y las medias, los errores de cada fruta se compensan; lo que todas las frutas yerran juntas, como la escala de los sensores, la corrección de un tipo o su densidad, no se compensa, y está incluido por entero.</translation>
     </message>
     <message>
         <source>Kinds by model {model}; frame of reference: sensor {sensor}.</source>
@@ -950,8 +950,8 @@
         <translation>no se conoce ninguna densidad</translation>
     </message>
     <message>
-        <source>± is half the width of a 95 % interval. That of sums and means holds what fruit do not share: errors that all have in common (the rig&apos;s scale, a kind&apos;s correction) are not in it.</source>
-        <translation>± es la mitad del ancho de un intervalo del 95 %. El de sumas y medias contiene lo que las frutas no comparten: los errores comunes a todas (la escala del equipo, la corrección de un tipo) no están incluidos.</translation>
+        <source>± is half the width of a 95 % interval. In that of sums and means what single fruit err by averages out; what all err by together (the sensors&apos; scale, a kind&apos;s correction) does not.</source>
+        <translation>± es la mitad del ancho de un intervalo del 95 %. En el de sumas y medias, lo que yerra cada fruta se compensa; lo que yerran todas juntas (la escala de los sensores, la corrección de un tipo) no.</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,26 @@
         <translation>Detener este trabajo; nada queda a medias (Esc)</translation>
     </message>
     <message>
+        <source>Put this message away</source>
+        <translation>Quitar este mensaje</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>Información</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Hecho</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Advertencia</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Error</translation>
+    </message>
+    <message>
         <source>Stopping …</source>
         <translation>Deteniendo …</translation>
     </message>
@@ -189,8 +209,8 @@
         <translation>Grabando {name}: véase Conectar.</translation>
     </message>
     <message>
-        <source>Free on the disk: {free} GB.</source>
-        <translation>Libre en el disco: {free} GB.</translation>
+        <source>Free on the disk: {free} GB. Recording and keeping pictures stop below {least} GB.</source>
+        <translation>Libre en el disco: {free} GB. Por debajo de {least} GB se deja de grabar y de guardar fotos.</translation>
     </message>
 </context>
 <context>

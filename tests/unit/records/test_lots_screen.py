@@ -5,7 +5,8 @@ from __future__ import annotations
 import csv
 import math
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from hypothesis import strategies as st
 from sqlalchemy import Engine, event
 
 from fruitgui.errors import CancelledByUserError, InputError
+from fruitgui.measurement.sums import USUAL_SHARE
 from fruitgui.records.fruit_search import FruitQuery, Which
 from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.lot_csv import HEADER, write_lot
@@ -49,17 +51,26 @@ def test_lots_are_found_by_word_and_date_the_newest_first_with_their_totals(stor
     assert store.lots.find(LotQuery(from_s=clock.now_s - 90_000, to_s=clock.now_s - 1)).found == 1
 
 
-def test_the_total_of_a_kind_adds_values_and_variances(store: Store, lot: Lot) -> None:
+def _std_of_sum(stds: Sequence[float], shared: Sequence[float]) -> float:
+    own2 = sum(std**2 - part**2 for std, part in zip(stds, shared, strict=True))
+    return math.sqrt(own2 + sum(shared) ** 2)
+
+
+def test_the_total_of_a_kind_adds_values_and_what_each_errs_by_alone_and_together(store: Store, lot: Lot) -> None:
     fruit = [made_fruit(number, "lemon") for number in range(40)]
+    fruit[:30] = [replace(one, volume_shared_m3=0.3 * one.volume_m3.std) for one in fruit[:30]]
     for one in fruit:
         store.commit(lot.key, one, ())
     (total,) = store.lots.totals(lot.key)
     volumes = np.array([one.volume_m3.value for one in fruit])
-    stds = np.array([one.volume_m3.std for one in fruit])
+    stds = [one.volume_m3.std for one in fruit]
+    shared = [(0.3 if at < 30 else USUAL_SHARE) * std for at, std in enumerate(stds)]
     masses = [one.mass_kg for one in fruit if one.mass_kg is not None]
     assert (total.kind, total.fruit, total.measured, total.weighed) == ("lemon", 40, 40, len(masses))
     assert total.volume_m3.value == pytest.approx(volumes.sum())
-    assert total.volume_m3.std == pytest.approx(np.sqrt((stds**2).sum()))
+    assert total.volume_m3.std == pytest.approx(_std_of_sum(stds, shared))
+    assert total.mean_volume_m3 is not None
+    assert total.mean_volume_m3.std == pytest.approx(total.volume_m3.std / 40)
     assert total.volume_spread_m3 == pytest.approx(volumes.std(ddof=1))
     assert total.mean_volume_m3 is not None
     assert total.mean_volume_m3.value == pytest.approx(volumes.mean())
@@ -153,7 +164,9 @@ def test_totals_always_equal_the_fruit_that_they_sum_up(store: Store, steps: lis
         volumes = [one.volume_m3 for one in there if one.kind == total.kind and one.volume_m3 is not None]
         assert total.measured == len(volumes)
         assert total.volume_m3.value == pytest.approx(sum(one.value for one in volumes), rel=1e-12)
-        assert total.volume_m3.std == pytest.approx(math.sqrt(sum(one.std**2 for one in volumes)), rel=1e-12)
+        assert total.volume_m3.std == pytest.approx(
+            _std_of_sum([one.std for one in volumes], [USUAL_SHARE * one.std for one in volumes]), rel=1e-9
+        )
 
 
 @pytest.mark.parametrize("bins", [1, 10, 40])
@@ -208,7 +221,8 @@ def test_a_report_holds_what_one_would_hand_to_a_grower(store: Store, lot: Lot, 
     report = report_lot(store, lot.key, clock.now_s)
     assert (report.fruit, report.left_out, report.corrected, report.ran_s) == (28, 2, 5, 600)
     assert report.volume_m3.value == pytest.approx(sum(one.volume_m3.value for one in report.kinds))
-    assert report.volume_m3.std < sum(one.volume_m3.std for one in report.kinds)
+    parts = [one.volume_m3.std for one in report.kinds]
+    assert math.hypot(*parts) < report.volume_m3.std <= sum(parts), "what kinds share is not averaged out"
     assert sum(counts.sum() for counts in report.spread["mass_kg"].counts.values()) == report.weighed
 
 

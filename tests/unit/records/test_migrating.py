@@ -8,6 +8,7 @@ import pytest
 from sqlalchemy import MetaData, create_engine
 
 from fruitgui.errors import WorldError
+from fruitgui.measurement.sums import USUAL_SHARE
 from fruitgui.records import migrating
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.migrating import PICTURES, RECORDS, Schema, bring_up_to_date
@@ -151,3 +152,25 @@ def test_a_database_of_another_program_is_refused(tmp_path: Path) -> None:
     with pytest.raises(WorldError) as caught:
         open_store(tmp_path)
     assert caught.value.code == "store_damaged"
+
+
+def test_sums_of_before_take_the_usual_part_of_what_fruit_err_by_for_shared(tmp_path: Path) -> None:
+    bring_up_to_date(tmp_path / RECORDS.file, _only(tmp_path, "0003")).close()
+    connection = sqlite3.connect(tmp_path / RECORDS.file)
+    connection.execute(LOT)
+    for number, (std, counted) in enumerate([(3e-6, 1), (4e-6, 1), (9e-6, 0)], start=1):
+        connection.execute(
+            "INSERT INTO fruit (lot_id, number, counted_s, machine_kind, kind, counted, volume_m3, volume_std_m3, "
+            "views) VALUES (1, ?, 1.8e9, 'lemon', 'lemon', ?, 1e-4, ?, 7)",
+            (number, counted, std),
+        )
+    connection.execute("INSERT INTO total VALUES (1, 'lemon', 2, 2, 2e-4, 25e-12, 2e-8, 0, 0, 0, 0)")
+    connection.commit()
+    connection.close()
+    with open_store(tmp_path) as store:
+        (total,) = store.lots.totals(1)
+        assert total.volume.shared == pytest.approx(USUAL_SHARE * 7e-6)
+        assert total.volume_m3.std == pytest.approx(((1 - USUAL_SHARE**2) * 25 + USUAL_SHARE**2 * 49) ** 0.5 * 1e-6)
+        store.corrections.leave_out([2])
+        (total,) = store.lots.totals(1)
+        assert total.volume_m3.std == pytest.approx(3e-6), "one fruit is as sure as it is"

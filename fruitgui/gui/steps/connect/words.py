@@ -95,11 +95,11 @@ def _failure(error: FruitguiError | None) -> str:
 
 
 def rate_text(health: SensorHealth | None) -> str:
-    """Return pictures per second, measured against promised."""
+    """Return pictures per second, against what is promised where they are fewer: in turns, some come ahead of it."""
     if health is None:
         return "–"
     rate = number_text(health.rate_hz, 1)
-    if health.nominal_hz <= 0:
+    if health.rate_hz > health.nominal_hz:
         return translate("Connect", "{rate} a second").format(rate=rate)
     return translate("Connect", "{rate} of {nominal} a second").format(
         rate=rate, nominal=number_text(health.nominal_hz, 1)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent, QPixmap
@@ -15,16 +17,46 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.kind_mark import paint_mark
 
-TALLEST, LOWEST = 84, 40
-ROOMY = 52
-"""Rows at least so high have larger names."""
+TALLEST, LEAST = 168, 26
+"""Pixels: of a kind's row. Where rows would be lower, they stand in two columns."""
 
-TOTAL, TOTAL_FIGURE_PX = 48, 36
-"""The row of all fruit together, and its figure."""
+TWO_LINES, ROOMY = 38, 52
+"""Rows at least so high have a second line of figures, and larger names; from there on their words grow with them."""
 
-FIGURE_SHARE = 0.78
-SMALLEST_FIGURE_PX, LARGEST_FIGURE_PX = 28, 64
-"""Counts take so much of their row's height; from 40 pixels on they are read from two metres away."""
+MOST_COLUMNS, LARGEST_WORDS = 2, 2.0
+
+TOTAL_SHARE, TOTAL, TALLEST_TOTAL = 0.115, 48, 128
+"""The row of all fruit together: a part of the height, at least and at most."""
+
+TOTAL_FIGURE_SHARE = 0.75
+FIGURE_SHARE, FIGURE_WIDTH_SHARE = 0.78, 0.15
+SMALLEST_FIGURE_PX = 20
+"""Counts take so much of their row's height, and no more of its width; from 40 pixels on they are read from two metres
+away."""
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """Where the rows are: below `top`, in columns, each row of one size, pixels."""
+
+    top: float
+    columns: int
+    width: float
+    height: float
+
+    def place(self, number: int, rows: int) -> QPointF:
+        """Return the corner of a row, of so many rows in all; columns are filled one after the other."""
+        down = math.ceil(rows / self.columns)
+        return QPointF(number // down * (self.width + 2 * GRID), self.top + number % down * self.height)
+
+
+def places_for(rows: int, width: float, height: float) -> Places:
+    """Return where so many rows go, so that all of them are in view and each as large as there is room for."""
+    top = min(max(TOTAL_SHARE * height, TOTAL), TALLEST_TOTAL)
+    columns = next((n for n in range(1, MOST_COLUMNS) if (height - top) / math.ceil(max(rows, 1) / n) >= LEAST),
+                   MOST_COLUMNS)  # fmt: skip
+    down = math.ceil(max(rows, 1) / columns)
+    return Places(top, columns, (width - (columns - 1) * 2 * GRID) / columns, min((height - top) / down, TALLEST))
 
 
 class CountsView(QWidget):
@@ -54,40 +86,51 @@ class CountsView(QWidget):
         """Draw it."""
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            top = self._paint_total(painter)
-            rows = max(len(self._lines), 1)
-            height = min(max((self.height() - top) / rows, LOWEST), TALLEST)
+            rows = len(self._lines)
+            places = places_for(rows, self.width(), self.height())
+            self._paint_total(painter, places.top)
             for number, line in enumerate(self._lines):
-                drawn = self._row(line, height, ruled=number > 0)
-                painter.drawPixmap(QPointF(0, top + number * height), drawn)
+                place = places.place(number, rows)
+                painter.drawPixmap(place, self._row(line, places, ruled=place.y() > places.top))
 
-    def _paint_total(self, painter: QPainter) -> float:
+    def _paint_total(self, painter: QPainter, height: float) -> None:
         theme = self._theme
         count = sum(line.count for line in self._lines)
         litres = sum(line.total_l for line in self._lines)
         rate = sum(line.per_minute for line in self._lines)
-        box = QRectF(0, 0, self.width(), TOTAL)
+        box, grown = QRectF(0, 0, self.width(), height), min(height / TOTAL, LARGEST_WORDS)
         painter.setPen(theme.colour("text"))
-        painter.setFont(theme.font("title", QFont.Weight.DemiBold))
-        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.tr("All fruit"))
-        painter.setFont(self._figure(TOTAL_FIGURE_PX))
+        painter.setFont(self._words("title", grown, QFont.Weight.DemiBold))
+        title = self.tr("All fruit")
+        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, title)
+        left = QFontMetricsF(painter.font()).horizontalAdvance(title) + 1.5 * GRID
+        painter.setFont(self._figure(TOTAL_FIGURE_SHARE * height))
         painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, count_text(count))
         right = box.right() - QFontMetricsF(painter.font()).horizontalAdvance(count_text(count)) - 1.5 * GRID
-        painter.setFont(theme.font("small"))
+        painter.setFont(self._words("small", grown))
         painter.setPen(theme.colour("text_dim"))
-        text = self.tr("{litres} · {rate}/min").format(litres=f"{number_text(litres, 1)}{THIN}l", rate=count_text(rate))
+        all_litres = f"{number_text(litres, 1)}{THIN}l"
+        text = self.tr("{litres} · {rate}/min").format(litres=all_litres, rate=count_text(rate))
+        if QFontMetricsF(painter.font()).horizontalAdvance(text) > right - left:
+            text = all_litres
         box.setRight(right)
         painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, text)
-        return TOTAL
+
+    def _words(self, size: str, grown: float, weight: QFont.Weight = QFont.Weight.Normal) -> QFont:
+        """Return one of the theme's fonts, larger where there is room."""
+        font = self._theme.font(size, weight)
+        font.setPixelSize(round(font.pixelSize() * max(grown, 1.0)))
+        return font
 
     def _figure(self, size_px: float) -> QFont:
         font = self._theme.font("figure", QFont.Weight.DemiBold)
         font.setPixelSize(round(size_px))
         return font
 
-    def _row(self, line: KindLine, height: float, *, ruled: bool) -> QPixmap:
+    def _row(self, line: KindLine, places: Places, *, ruled: bool) -> QPixmap:
         """Return a kind's row; of all rows few change from look to look."""
-        theme, box, ratio = self._theme, QRectF(0, 0, self.width(), height), self.devicePixelRatioF()
+        height = places.height
+        theme, box, ratio = self._theme, QRectF(0, 0, places.width, height), self.devicePixelRatioF()
         key = ("count", line, box.width(), height, ruled, ratio, theme.name, theme.text_scale, self.tr("mean {volume}"))
         return stamp(
             key,
@@ -101,9 +144,10 @@ class CountsView(QWidget):
         if ruled:
             painter.setPen(theme.colour("line"))
             painter.drawLine(box.topLeft(), box.topRight())
-        side = min(box.height() * 0.62, 44.0)
+        side = box.height() * 0.62
         paint_mark(painter, QRectF(0, box.center().y() - side / 2, side, side), line.mark)
-        painter.setFont(self._figure(min(max(FIGURE_SHARE * box.height(), SMALLEST_FIGURE_PX), LARGEST_FIGURE_PX)))
+        largest_px = min(FIGURE_SHARE * box.height(), FIGURE_WIDTH_SHARE * box.width())
+        painter.setFont(self._figure(max(largest_px, SMALLEST_FIGURE_PX)))
         painter.setPen(theme.colour("text" if line.count else "text_dim"))
         count = count_text(line.count)
         width = QFontMetricsF(painter.font()).horizontalAdvance(count)
@@ -114,8 +158,9 @@ class CountsView(QWidget):
     def _paint_words(self, painter: QPainter, line: KindLine, box: QRectF) -> None:
         theme = self._theme
         middle = box.center().y()
-        two = bool(line.count)
-        painter.setFont(theme.font("title" if box.height() >= ROOMY else "body", QFont.Weight.Medium))
+        two = bool(line.count) and box.height() >= TWO_LINES
+        grown = min(0.5 + 0.5 * box.height() / ROOMY, LARGEST_WORDS)
+        painter.setFont(self._words("title" if box.height() >= ROOMY else "body", grown, QFont.Weight.Medium))
         painter.setPen(theme.colour("text"))
         name = QFontMetricsF(painter.font()).elidedText(line.name, Qt.TextElideMode.ElideRight, box.width())
         left = Qt.AlignmentFlag.AlignLeft
@@ -124,20 +169,23 @@ class CountsView(QWidget):
             return
         painter.drawText(QRectF(box.left(), box.top(), box.width(), middle - box.top() + 2),
                          left | Qt.AlignmentFlag.AlignBottom, name)  # fmt: skip
-        painter.setFont(theme.font("small"))
+        painter.setFont(self._words("small", grown))
         painter.setPen(theme.colour("text_dim"))
         painter.drawText(QRectF(box.left(), middle + 3, box.width(), box.bottom() - middle),
                          left | Qt.AlignmentFlag.AlignTop, self._details(painter, line, box.width()))  # fmt: skip
 
     def _details(self, painter: QPainter, line: KindLine, width: float) -> str:
-        """Return mean, total and rate, as many of them as there is room for."""
+        """Return mean, rate, total and spread, as many of them as there is room for: only the mean has a ±."""
         parts = []
         if line.volume_ml is not None:
-            spread = "" if line.spread_ml is None else f" (±{number_text(line.spread_ml, 0)})"
-            volume = f"{number_text(line.volume_ml, 0)}{spread}{THIN}ml"
+            half = "" if line.volume_half_ml is None else f" ± {number_text(line.volume_half_ml, 0)}"
+            volume = f"{number_text(line.volume_ml, 0)}{half}{THIN}ml"
             parts.append(self.tr("mean {volume}").format(volume=volume))
         parts.append(self.tr("{rate}/min").format(rate=count_text(line.per_minute)))
         parts.append(f"{number_text(line.total_l, 1)}{THIN}l")
+        if line.spread_ml is not None:
+            spread = f"{number_text(line.spread_ml, 0)}{THIN}ml"
+            parts.append(self.tr("spread {spread}").format(spread=spread))
         if line.mass_kg is not None:
             parts.append(f"{number_text(line.mass_kg, 1)}{THIN}kg")
         metrics = QFontMetricsF(painter.font())

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QMenu, QToolButton, QVBo
 from fruitgui.gui.steps.live.belt_map import BeltView
 from fruitgui.gui.steps.live.counts import CountsView
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
+from fruitgui.gui.steps.live.standing import StandingBand
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
@@ -75,7 +76,7 @@ class LiveLayout(QWidget):
         super().__init__(parent)
         self.pictures, self.belt = Pictures(theme), BeltView(theme)
         self.last, self.counts = LastFruitView(theme), CountsView(theme)
-        self.histogram = HistogramView(theme)
+        self.histogram, self.standing = HistogramView(theme), StandingBand(theme)
         belt_card, counts_card, histogram_card = Card(), Card(), Card()
         for card, widget in (
             (belt_card, self.belt), (counts_card, self.counts), (histogram_card, self.histogram),
@@ -88,6 +89,7 @@ class LiveLayout(QWidget):
         left.addWidget(self.pictures, 5)
         left.addWidget(belt_card, 3)
         left.addWidget(self.last)
+        right.addWidget(self.standing)
         right.addWidget(counts_card, 3)
         right.addWidget(histogram_card, 1)
         whole.setSpacing(2 * GRID)

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.widgets.cards import label
 from fruitgui.records.lot import LotPlan
 
@@ -68,7 +68,9 @@ class LotDialog(QDialog):
             (self.tr("&Note"), self.note),
         ):
             named = QLabel(text)
+            named.setMinimumHeight(TOUCH)
             named.setBuddy(field)
+            field.setMinimumHeight(TOUCH)
             field.setAccessibleName(text.replace("&", ""))
             form.addRow(named, field)
         column = QVBoxLayout(self)

@@ -15,6 +15,7 @@ from fruitgui.gui.running import Running
 from fruitgui.gui.session import Session
 from fruitgui.gui.step_words import reason_text
 from fruitgui.gui.steps.live import presenter
+from fruitgui.gui.steps.live.end_dialog import EndDialog
 from fruitgui.gui.steps.live.layout import LiveLayout
 from fruitgui.gui.steps.live.lot_dialog import LotDialog
 from fruitgui.gui.steps.live.presenter import Marks
@@ -43,6 +44,7 @@ class LivePage(StepPage):
         self._turn = self._part = 0
         self._parts = (self._draw_belt, self._draw_counts, self._draw_belt, self._draw_last, self._draw_histogram)
         self._dialog: LotDialog | None = None
+        self._question: EndDialog | None = None
         self._queries = Queries(self)
         self._queries.failed.connect(session.messages.error)
         self.body = LiveLayout(theme, self)
@@ -81,7 +83,7 @@ class LivePage(StepPage):
             (self.take_up, "play", "Ctrl+Return", self._take_up),
             (self.pause, "pause", "Ctrl+Space", self._running.pause),
             (self.resume, "play", "Ctrl+Space", self._running.resume),
-            (self.end, "stop", "Ctrl+E", self._running.end_lot),
+            (self.end, "stop", "Ctrl+E", self._ask_end),
             (self.name, "teach", "N", self._name_unknown),
         ):
             action.setProperty("drawing", name)
@@ -142,8 +144,18 @@ class LivePage(StepPage):
         else:
             self.offer(self.end, self.name, self.pause)
             self.say(self.tr("Lot {name} is running.").format(name=lot.name))
+        self._say_standing()
         self._show_sensors()
         self._draw_parts()
+
+    def _say_standing(self) -> None:
+        """Say in large where a lot is open and nothing is counted."""
+        lot, running = self._running.lot, self._running.running
+        if lot is None or (running and not lot.paused):
+            self.body.standing.show_words("", "")
+            return
+        why = self.tr("Lot {name} is paused.") if running else self.tr("Lot {name} is open; the line stands still.")
+        self.body.standing.show_words(self.tr("Nothing is counted"), why.format(name=lot.name))
 
     def _say_unnamed(self) -> None:
         count = self._running.unnamed
@@ -194,6 +206,8 @@ class LivePage(StepPage):
         for kind in kinds:
             self._marks.of(kind)
         self.body.counts.show_lines(presenter.kind_lines(tally, kinds, self._marks, time.monotonic()))
+        if self._question is not None:
+            self._question.show_fruit(tally.count_all)
         self._say_unnamed()
 
     def _draw_belt(self) -> None:
@@ -228,6 +242,22 @@ class LivePage(StepPage):
         if result == LotDialog.DialogCode.Accepted:
             self._session.start_lot(dialog.plan())
         dialog.deleteLater()
+
+    def _ask_end(self) -> None:
+        """Ask whether the lot shall end: what is ended cannot be taken up again."""
+        lot = self._running.lot
+        if lot is not None and self._question is None:
+            self._question = EndDialog(lot, self._running.tally.count_all, running=self._running.running, parent=self)
+            self._question.finished.connect(self._asked_end)
+            self._question.open()
+
+    def _asked_end(self, result: int) -> None:
+        question, self._question = self._question, None
+        if question is None:
+            return
+        question.deleteLater()
+        if result == EndDialog.DialogCode.Accepted:
+            self._running.end_lot()
 
     def _take_up(self) -> None:
         self._session.take_up_lot()

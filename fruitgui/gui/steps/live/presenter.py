@@ -23,6 +23,7 @@ from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import THIN, measured_text, number_text, percent_text
 from fruitgui.gui.steps.live.tally import Histogram, KindSum, Tally
 from fruitgui.gui.theme.kinds import KindMark, Looks, kind_marks
+from fruitgui.gui.times import duration_text
 from fruitgui.gui.widgets.histogram import Bars
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.live.state import Finished, LiveState, Opinion, Pictured, Preview, TrackNow
@@ -30,6 +31,9 @@ from fruitgui.station.report import ML_PER_M3
 from fruitgui.station.sink import CountedFruit
 
 ML_PER_L = 1e3
+
+HALF_95 = 1.96
+"""Standard deviations that the half width of a 95 % interval is."""
 
 
 @dataclass(slots=True)
@@ -53,7 +57,19 @@ def drawn_picture(preview: Preview, marks: Marks, health: SensorHealth | None) -
     """Return a sensor's picture with the fruit in it."""
     word, text = health_words(health)
     fruit = tuple(_drawn_fruit(one, marks) for one in preview.fruit if len(one.outline_px) > 2)
-    return DrawnPicture(preview.station_id, preview.color, fruit, word, text)
+    return DrawnPicture(preview.station_id, preview.color, fruit, word, text, stale_words(health))
+
+
+def stale_words(health: SensorHealth | None) -> str:
+    """Return for how long a sensor that gives nothing has given nothing; empty for one that runs."""
+    if health is None or (health.state in (Running.RUNNING, Running.STARTING) and not health.hangs):
+        return ""
+    if health.state is Running.ENDED:
+        return QCoreApplication.translate("Health", "the last picture of the recording")
+    if health.age_s is None:
+        return QCoreApplication.translate("Health", "no picture yet")
+    since = duration_text(health.age_s)
+    return QCoreApplication.translate("Health", "no picture for {time}").format(time=since)
 
 
 def _drawn_fruit(one: Pictured, marks: Marks) -> DrawnFruit:
@@ -138,11 +154,13 @@ def kind_lines(tally: Tally, kinds: Sequence[str], marks: Marks, now_s: float) -
 
 
 def _kind_line(kind: str, total: KindSum, marks: Marks, per_minute: float) -> KindLine:
+    mean_ml = total.mean_ml
     return KindLine(
         mark=marks.of(kind),
         name=kind_name(kind),
         count=total.count,
-        volume_ml=total.mean_ml,
+        volume_ml=None if mean_ml is None else mean_ml.value,
+        volume_half_ml=None if mean_ml is None else HALF_95 * mean_ml.std,
         spread_ml=total.spread_ml,
         total_l=total.volume_ml / ML_PER_L,
         mass_kg=total.mass_kg,

@@ -4,18 +4,24 @@ from __future__ import annotations
 
 import shutil
 import tempfile
+import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtWidgets import QWidget
 
+from fruitgui.classification.evidence import UNKNOWN
 from fruitgui.evaluation.demo_line import set_up_line
 from fruitgui.gui.health import HealthWatch
 from fruitgui.gui.session import Session
+from fruitgui.gui.shots.made_lots import made_fruit
 from fruitgui.gui.shots.stage import Scene, Stage
 from fruitgui.gui.steps.live.page import LivePage
+from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.window import MainWindow
 from fruitgui.records.lot import LotPlan
@@ -26,6 +32,8 @@ from fruitgui.station.workspace import open_workspace
 SEED = 1
 ENOUGH_FRUIT = 40
 LONG_MS = 300_000
+MANY = ("lemon", "red apple", "green apple", "avocado, Chilean", "quince", "persimmon", "pear, Packham's Triumph")
+MANY_FRUIT = 3000
 LOT = LotPlan("1184", "Fundo El Peñón")
 
 
@@ -73,9 +81,31 @@ def _line(stage: Stage, state: str) -> Iterator[QWidget]:
             if state == "paused":
                 page.pause.trigger()
                 stage.wait_until(lambda: session.running.paused)
+            if state == "silent":
+                session.connected.health_changed.connect(partial(_silence, session))
+                stage.wait_until(lambda: bool(page.body.pictures.pictures["kinect_2"].accessibleDescription()))
+            if state == "kinds":
+                session.running.kinds, session.running.tally = MANY, _many_kinds()
+                stage.wait_until(lambda: "Quince" in page.body.counts.accessibleDescription())
             if state == "large":
                 page.body.pictures.toggle("kinect_1")
             yield window
+
+
+def _silence(session: Session) -> None:
+    """Let the window believe that a sensor gives nothing; the dictionary is the one that it looks at."""
+    now = session.connected.health["kinect_2"]
+    session.connected.health["kinect_2"] = replace(now, state=Running.SILENT, age_s=37.0)
+
+
+def _many_kinds() -> Tally:
+    """Return a busy lot of seven kinds and some fruit that are unknown."""
+    rng = np.random.default_rng(SEED)
+    tally = Tally()
+    for number in range(MANY_FRUIT):
+        kind = str(rng.choice([*MANY, UNKNOWN]))
+        tally.count(replace(made_fruit(rng, number + 1, "lemon"), kind=kind), time.monotonic())
+    return tally
 
 
 def _sensors_run(session: Session) -> bool:
@@ -96,5 +126,7 @@ SCENES: tuple[Scene, ...] = (
     Scene("live-ready", partial(_line, state="ready")),
     Scene("live-running", partial(_line, state="running")),
     Scene("live-paused", partial(_line, state="paused")),
+    Scene("live-silent", partial(_line, state="silent")),
+    Scene("live-kinds", partial(_line, state="kinds")),
     Scene("live-large", partial(_line, state="large")),
 )

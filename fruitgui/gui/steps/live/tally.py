@@ -10,6 +10,8 @@ from math import isfinite, sqrt
 import numpy as np
 
 from fruitgui.frame import F64, Ints
+from fruitgui.measurement.fruit import Quantity
+from fruitgui.measurement.sums import SharedSum
 from fruitgui.records.totals import KindTotal
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.report import ML_PER_M3
@@ -31,34 +33,44 @@ class KindSum:
     """The fruit of one kind.
 
     Attributes:
-        count: of them. volume_ml, square_ml2: sums of their volumes and of the squares.
+        count: of them. measured: of these, how many have a volume.
+        volume: sum of their volumes, ml. square_ml2: of the squares.
         mass_kg: sum of their masses; None where none has one.
     """
 
     count: int = 0
-    volume_ml: float = 0.0
+    measured: int = 0
+    volume: SharedSum = field(default_factory=SharedSum)
     square_ml2: float = 0.0
     mass_kg: float | None = None
 
-    def add(self, volume_ml: float, mass_kg: float | None) -> None:
+    def add(self, fruit: Fruit) -> None:
         """Add a fruit."""
         self.count += 1
-        self.volume_ml += volume_ml
-        self.square_ml2 += volume_ml**2
-        if mass_kg is not None:
-            self.mass_kg = (self.mass_kg or 0.0) + mass_kg
+        if isfinite(fruit.volume_m3.value):
+            self.measured += 1
+            volume_ml, std_ml = fruit.volume_m3.value * ML_PER_M3, fruit.volume_m3.std * ML_PER_M3
+            self.volume += SharedSum.of(volume_ml, std_ml, fruit.volume_shared_m3 * ML_PER_M3)
+            self.square_ml2 += volume_ml**2
+        if fruit.mass_kg is not None:
+            self.mass_kg = (self.mass_kg or 0.0) + fruit.mass_kg.value
 
     @property
-    def mean_ml(self) -> float | None:
-        """Mean volume."""
-        return self.volume_ml / self.count if self.count else None
+    def volume_ml(self) -> float:
+        """All volumes together."""
+        return self.volume.value
+
+    @property
+    def mean_ml(self) -> Quantity | None:
+        """Mean volume, and how well it is known."""
+        return self.volume.mean(self.measured)
 
     @property
     def spread_ml(self) -> float | None:
         """Standard deviation between the fruit; None below two."""
-        if self.count < 2:
+        if self.measured < 2:
             return None
-        return sqrt(max(self.square_ml2 - self.volume_ml**2 / self.count, 0.0) / (self.count - 1))
+        return sqrt(max(self.square_ml2 - self.volume.value**2 / self.measured, 0.0) / (self.measured - 1))
 
 
 @dataclass(slots=True)
@@ -86,8 +98,7 @@ class Tally:
     def count(self, fruit: Fruit, now_s: float) -> None:
         """Add a fruit that is counted at `now_s`, by the host's monotonic clock."""
         volume_ml = fruit.volume_m3.value * ML_PER_M3
-        mass_kg = None if fruit.mass_kg is None else fruit.mass_kg.value
-        self.sums.setdefault(fruit.kind, KindSum()).add(volume_ml, mass_kg)
+        self.sums.setdefault(fruit.kind, KindSum()).add(fruit)
         if isfinite(volume_ml):
             self._volumes.setdefault(fruit.kind, Counter())[int(volume_ml // STEP_ML)] += 1
         self._forget(now_s)
@@ -149,9 +160,13 @@ def _binned(counts: Counter[int], low_ml: float, high_ml: float) -> Ints:
 
 
 def _sum_of(total: KindTotal) -> KindSum:
-    volume_ml = total.volume_m3.value * ML_PER_M3
+    volume, volume_ml = total.volume, total.volume.value * ML_PER_M3
     spread_ml = total.volume_spread_m3 * ML_PER_M3
     square_ml2 = volume_ml**2 / total.measured if total.measured else 0.0
     if isfinite(spread_ml):
         square_ml2 += spread_ml**2 * (total.measured - 1)
-    return KindSum(total.fruit, volume_ml, square_ml2, total.mass_kg.value if total.weighed else None)
+    inside = SharedSum(
+        volume_ml, volume.variance * ML_PER_M3**2, volume.shared * ML_PER_M3, volume.shared_square * ML_PER_M3**2
+    )
+    mass_kg = total.mass_kg.value if total.weighed else None
+    return KindSum(total.fruit, total.measured, inside, square_ml2, mass_kg)

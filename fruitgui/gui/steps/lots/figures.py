@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import sqrt
 from pathlib import PurePosixPath
 
 from PySide6.QtCore import QCoreApplication
@@ -15,6 +14,7 @@ from fruitgui.gui.numbers import THIN, count_text, number_text
 from fruitgui.gui.steps.lots.words import NONE, kilograms_text, litres_text, measure_text, why_text
 from fruitgui.gui.times import clock_text, duration_text, moment_text, second_text
 from fruitgui.measurement.fruit import Quantity
+from fruitgui.measurement.sums import SharedSum
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot
 from fruitgui.records.spells import Spell
@@ -59,12 +59,12 @@ class LotFigures:
     @property
     def volume_m3(self) -> Quantity | None:
         """Of all measured fruit."""
-        return together([one.volume_m3 for one in self.kinds]) if self.measured else None
+        return sum((one.volume for one in self.kinds), SharedSum()).quantity if self.measured else None
 
     @property
     def mass_kg(self) -> Quantity | None:
         """Of all weighed fruit."""
-        return together([one.mass_kg for one in self.kinds]) if self.weighed else None
+        return sum((one.mass for one in self.kinds), SharedSum()).quantity if self.weighed else None
 
     @property
     def per_minute(self) -> float | None:
@@ -87,19 +87,13 @@ def read_figures(store: Store, lot: int, now_s: float) -> LotFigures:
     )  # fmt: skip
 
 
-def together(parts: Sequence[Quantity]) -> Quantity:
-    """Return a sum of independent quantities."""
-    return Quantity(sum(one.value for one in parts), sqrt(sum(one.std**2 for one in parts)))
-
-
 @dataclass(frozen=True, slots=True)
 class KindRow:
-    """One kind's sums as people read them; `share` is of the lot's fruit, 0–1."""
+    """One kind's sums as people read them."""
 
     kind: str
     name: str
     fruit: str
-    share: float
     mean: str
     volume: str
     mass: str
@@ -109,7 +103,7 @@ def kind_rows(figures: LotFigures) -> list[KindRow]:
     """Return a row for each kind, the most frequent first."""
     return [
         KindRow(
-            one.kind, kind_name(one.kind), count_text(one.fruit), one.fruit / max(figures.fruit, 1),
+            one.kind, kind_name(one.kind), count_text(one.fruit),
             measure_text("volume_m3", one.mean_volume_m3), litres_text(one.volume_m3 if one.measured else None),
             kilograms_text(one.mass_kg if one.weighed else None),
         )

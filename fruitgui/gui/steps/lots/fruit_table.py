@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from PySide6.QtCore import QEvent, QModelIndex, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFont, QFontMetricsF, QIcon, QImage, QPainter, QPainterPath, QResizeEvent
+from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, Signal
+from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
     QHBoxLayout,
     QHeaderView,
     QStackedWidget,
-    QStyle,
-    QStyledItemDelegate,
     QTableView,
     QVBoxLayout,
     QWidget,
@@ -22,17 +20,17 @@ from PySide6.QtWidgets import (
 
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import count_text
-from fruitgui.gui.steps.lots.fruit_model import FRUIT, PICTURE, FruitModel
-from fruitgui.gui.steps.lots.fruit_rows import COLUMNS, FALLS_FIRST, Column, Show, Wanted, correction_text, show_word
-from fruitgui.gui.steps.lots.paged_model import Index, visible_rows
-from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark
+from fruitgui.gui.steps.lots.fruit_delegate import ROW, FruitDelegate
+from fruitgui.gui.steps.lots.fruit_model import FruitModel
+from fruitgui.gui.steps.lots.fruit_rows import COLUMNS, FALLS_FIRST, Column, Show, Wanted, show_word
+from fruitgui.gui.steps.lots.paged_model import visible_rows
+from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label
-from fruitgui.gui.widgets.kind_mark import mark_pixmap, paint_mark
+from fruitgui.gui.widgets.kind_mark import mark_pixmap
 from fruitgui.records.fruit_record import FruitRecord
 
-ROW = 56
 WIDTHS = {
     Column.PICTURE: 64, Column.NUMBER: 64, Column.SURE: 64, Column.VOLUME: 118, Column.MASS: 112, Column.DIAMETER: 118,
     Column.LENGTH: 118, Column.VIEWS: 70,
@@ -40,81 +38,6 @@ WIDTHS = {
 KIND_WIDTH = 160
 FIRST_TO_GO = (Column.VIEWS, Column.LENGTH, Column.MASS)
 """Columns that are hidden, in this order, where there is no room; a fruit that is opened shows them all."""
-
-
-class FruitDelegate(QStyledItemDelegate):
-    """Paints pictures and kinds; all else is text."""
-
-    def __init__(self, theme: Theme, view: QTableView) -> None:
-        super().__init__(view)
-        self._theme = theme
-        self.marks: Mapping[str, KindMark] = {}
-
-    def paint(self, painter: QPainter, option: Any, index: Index) -> None:  # noqa: ANN401 - its fields are not typed
-        """Draw a cell."""
-        column, fruit = COLUMNS[index.column()], index.data(FRUIT)
-        box = QRectF(option.rect)
-        painter.save()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        if option.state & QStyle.StateFlag.State_Selected:
-            painter.fillRect(box, self._theme.colour("raised"))
-        if isinstance(fruit, FruitRecord):
-            if column is Column.PICTURE:
-                self._paint_picture(painter, index.data(PICTURE), box)
-                if option.state & QStyle.StateFlag.State_Selected:
-                    painter.fillRect(QRectF(box.left(), box.top(), 3, box.height()), self._theme.colour("accent"))
-            elif column is Column.KIND:
-                self._paint_kind(painter, fruit, box.adjusted(GRID / 2, GRID / 2, -GRID, -GRID / 2))
-            else:
-                self._paint_text(painter, str(index.data()), fruit, box.adjusted(0, 0, -GRID, 0))
-        painter.setPen(self._theme.colour("line"))
-        painter.drawLine(box.bottomLeft(), box.bottomRight())
-        painter.restore()
-
-    def _paint_picture(self, painter: QPainter, image: object, box: QRectF) -> None:
-        place = QRectF(0, 0, ROW - GRID, ROW - GRID)
-        place.moveCenter(box.center())
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(self._theme.colour("picture"))
-        path = QPainterPath()
-        path.addRoundedRect(place, 6, 6)
-        painter.drawPath(path)
-        if isinstance(image, QImage):
-            side = min(image.width(), image.height())
-            middle = QRectF((image.width() - side) / 2, (image.height() - side) / 2, side, side)
-            painter.setClipPath(path)
-            painter.drawImage(place, image, middle)
-            painter.setClipping(False)
-
-    def _paint_kind(self, painter: QPainter, fruit: FruitRecord, box: QRectF) -> None:
-        side = 26.0
-        place = QRectF(box.left(), box.center().y() - side / 2, side, side)
-        paint_mark(painter, place, self.marks.get(fruit.kind, UNKNOWN_MARK))
-        words = box.adjusted(side + GRID, 0, 0, 0)
-        painter.setFont(self._theme.font("body", QFont.Weight.DemiBold))
-        painter.setPen(self._theme.colour("text" if fruit.counted else "text_dim"))
-        more = correction_text(fruit)
-        name = QFontMetricsF(painter.font()).elidedText(
-            kind_name(fruit.kind), Qt.TextElideMode.ElideRight, words.width()
-        )
-        if not more:
-            painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, name)
-            return
-        half = words.height() / 2
-        upper = QRectF(words.left(), words.top(), words.width(), half)
-        painter.drawText(upper, Qt.AlignmentFlag.AlignBottom, name)
-        painter.setFont(self._theme.font("small"))
-        painter.setPen(self._theme.colour("warn"))
-        more = QFontMetricsF(painter.font()).elidedText(more, Qt.TextElideMode.ElideRight, words.width())
-        painter.drawText(upper.translated(0, half), Qt.AlignmentFlag.AlignTop, more)
-
-    def _paint_text(self, painter: QPainter, text: str, fruit: FruitRecord, box: QRectF) -> None:
-        font = self._theme.font("body")
-        font.setStrikeOut(not fruit.counted)
-        painter.setFont(font)
-        painter.setPen(self._theme.colour("text" if fruit.counted else "text_dim"))
-        painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, text)
 
 
 class FruitTable(QWidget):

@@ -185,19 +185,20 @@ class LotList(Card):
         for field in (self.first, self.last):
             field.setCalendarPopup(False)
             field.setDisplayFormat("dd.MM.yyyy")
-        top, dates = QHBoxLayout(), QHBoxLayout()
-        for row in (top, dates):
+        dates, found = QHBoxLayout(), QHBoxLayout()
+        for row in (dates, found):
             row.setSpacing(GRID)
-        top.addWidget(self.words, 1)
-        top.addWidget(self.store)
+        self.store.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        found.addWidget(self.found, 1)
+        found.addWidget(self.store)
         dates.addWidget(self.first)
         dates.addWidget(self.last)
         self._stack.addWidget(self.view)
         self._stack.addWidget(self._empty)
-        self.body.addLayout(top)
+        self.body.addWidget(self.words)
         self.body.addWidget(self.period)
         self.body.addLayout(dates)
-        self.body.addWidget(self.found)
+        self.body.addLayout(found)
         self.body.addWidget(self._stack, 1)
         self._show_dates()
 
@@ -236,20 +237,20 @@ class LotList(Card):
         ):
             field.setAccessibleName(name)
             field.setToolTip(tip)
+        self.store.setText(self.tr("Backup"))
         self.view.setToolTip("")
         self._show_found()
 
     def _draw(self) -> None:
         colour, dim = self._theme.colour("text"), self._theme.colour("text_dim")
         self.store.setIcon(icons.icon("disk", colour, dim))
-        self.store.setIconSize(QSize(22, 22))
+        self.store.setIconSize(QSize(20, 20))
         self.view.viewport().update()
 
     def _show_found(self) -> None:
         count = self.model.pages.found
         one, more = self.tr("1 lot"), self.tr("{count} lots").format(count=count_text(count))
-        self.found.setText(one if count == 1 else more)
-        self.found.setVisible(count > 0)
+        self.found.setText((one if count == 1 else more) if count else "")
         if self.narrowed:
             what, how = self.tr("No lot was found"), self.tr("Search other words or another time.")
         else:

@@ -5,21 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-import numpy as np
-from PySide6.QtCore import QCoreApplication, QRectF, Qt
+from PySide6.QtCore import QCoreApplication, QRectF
 
 from fruitgui.files import written_whole
 from fruitgui.gui.kind_words import kind_name
-from fruitgui.gui.numbers import THIN, count_text, number_text
+from fruitgui.gui.numbers import count_text, shares_text
 from fruitgui.gui.steps.lots.figures import model_name, of_text, spans, spell_texts, unseen_text
-from fruitgui.gui.steps.lots.sheet import BODY, BODY_DIM, DIM, LINE, SECTION, SMALL, STRONG, TITLE, Sheet
-from fruitgui.gui.steps.lots.words import NONE, SPREAD, UNITS, kilograms_text, litres_text, measure_name, measure_text
+from fruitgui.gui.steps.lots.report_spreads import section, write_spreads
+from fruitgui.gui.steps.lots.sheet import BODY, BODY_DIM, DIM, SMALL, STRONG, TITLE, Sheet
+from fruitgui.gui.steps.lots.words import NONE, kilograms_text, litres_text, measure_text
 from fruitgui.gui.theme.kinds import UNKNOWN, KindMark, kind_marks
 from fruitgui.gui.times import duration_text, moment_text
-from fruitgui.gui.widgets.histogram import ticks
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
-from fruitgui.records.distribution import Distribution
 from fruitgui.records.fruit_record import FruitRecord
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot_report import LotReport, report_lot
@@ -27,7 +25,6 @@ from fruitgui.records.store import Store
 
 translate = QCoreApplication.translate
 
-PLOT_PT, AXIS_PT = 110.0, 14.0
 COLUMNS_PT = (0.24, 0.09, 0.10, 0.18, 0.19, 0.20)
 """Shares of the width that the columns of the table of kinds have."""
 
@@ -64,7 +61,7 @@ def write_report(
         try:
             _write_head(sheet, report)
             _write_sums(sheet, report, looks)
-            _write_spreads(sheet, report, looks)
+            write_spreads(sheet, report, looks)
             _write_unseen(sheet, report)
             _write_corrections(sheet, report, unknown, corrected)
             _write_method(sheet, report)
@@ -99,7 +96,7 @@ def _write_head(sheet: Sheet, report: LotReport) -> None:
 
 
 def _write_sums(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) -> None:
-    _section(sheet, translate("LotReport", "Counts and volumes"))
+    section(sheet, translate("LotReport", "Counts and volumes"))
     widths = [share * sheet.width for share in COLUMNS_PT]
     heads = (
         translate("LotReport", "Kind"), translate("LotReport", "Fruit"), translate("LotReport", "Share"),
@@ -107,7 +104,7 @@ def _write_sums(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) 
         translate("LotReport", "Total mass"),
     )  # fmt: skip
     sheet.row(heads, widths, SMALL)
-    for one in report.kinds:
+    for one, share in zip(report.kinds, shares_text([one.fruit for one in report.kinds]), strict=True):
         sheet.line(0, sheet.width)
         sheet.room(17)
         mark = marks.get(one.kind)
@@ -115,7 +112,7 @@ def _write_sums(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) 
             painter, box = sheet.painter_at(QRectF(0, sheet.y + 2.5, 12, 12))
             paint_mark(painter, box, mark)
         texts = (
-            kind_name(one.kind), count_text(one.fruit), _share_text(one.fruit, report.fruit),
+            kind_name(one.kind), count_text(one.fruit), share,
             measure_text("volume_m3", one.mean_volume_m3), litres_text(one.volume_m3 if one.measured else None),
             kilograms_text(one.mass_kg if one.weighed else None),
         )  # fmt: skip
@@ -137,70 +134,8 @@ def _write_sums(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) 
     sheet.skip(12)
 
 
-def _share_text(some: int, all_of: int) -> str:
-    return f"{number_text(100 * some / max(all_of, 1), 1)}{THIN}%"
-
-
-def _write_spreads(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) -> None:
-    measured = [one for one in SPREAD if report.spread[one].edges.size]
-    if not measured:
-        return
-    width = (sheet.width - 24) / 2
-    sheet.room(24 + PLOT_PT + AXIS_PT + 34)
-    _section(sheet, translate("LotReport", "How the fruit are spread"))
-    for number, one in enumerate(measured):
-        if number % 2 == 0:
-            sheet.room(PLOT_PT + AXIS_PT + 30)
-        x = (number % 2) * (width + 24)
-        _paint_spread(sheet, report.spread[one], marks, QRectF(x, sheet.y, width, PLOT_PT + AXIS_PT + 16))
-        if number % 2 or number == len(measured) - 1:
-            sheet.skip(PLOT_PT + AXIS_PT + 28)
-    _write_legend(sheet, report, marks)
-
-
-def _write_legend(sheet: Sheet, report: LotReport, marks: Mapping[str, KindMark]) -> None:
-    x = 0.0
-    sheet.room(16)
-    for one in report.kinds:
-        name = kind_name(one.kind)
-        width = 16 + sheet.width_of(name, SMALL) + 14
-        if x + width > sheet.width:
-            x = 0.0
-            sheet.skip(15)
-            sheet.room(16)
-        painter, box = sheet.painter_at(QRectF(x, sheet.y, 11, 11))
-        paint_mark(painter, box, marks[one.kind])
-        sheet.text(QRectF(x + 15, sheet.y, width, 12), name, SMALL, Qt.AlignmentFlag.AlignVCenter)
-        x += width
-    sheet.skip(26)
-
-
-def _paint_spread(sheet: Sheet, spread: Distribution, marks: Mapping[str, KindMark], box: QRectF) -> None:
-    factor, unit = UNITS[spread.measured]
-    low, high = spread.edges[0] * factor, spread.edges[-1] * factor
-    kinds = [kind for kind in marks if kind in spread.counts]
-    most = int(np.sum([spread.counts[kind] for kind in kinds], axis=0).max(initial=1))
-    sheet.text(QRectF(box.left(), box.top(), box.width(), 12), f"{measure_name(spread.measured)}, {unit}", STRONG)
-    sheet.text(QRectF(box.left(), box.top(), box.width(), 12), count_text(most), SMALL, Qt.AlignmentFlag.AlignRight)
-    plot = QRectF(box.left(), box.top() + 16, box.width(), PLOT_PT)
-    bins = len(spread.edges) - 1
-    floor = np.full(bins, plot.bottom())
-    width = plot.width() / bins
-    for kind in kinds:
-        for at in np.flatnonzero(spread.counts[kind]).tolist():
-            height = plot.height() * int(spread.counts[kind][at]) / most
-            floor[at] -= height
-            bar = QRectF(plot.left() + at * width + 0.25, floor[at], max(width - 0.5, 0.5), height)
-            sheet.bar(bar, marks[kind].colour)
-    sheet.bar(QRectF(plot.left(), plot.bottom(), plot.width(), 0.6), LINE)
-    for value in ticks(low, high):
-        x = plot.left() + plot.width() * (value - low) / (high - low)
-        sheet.text(QRectF(x - 30, plot.bottom() + 2, 60, AXIS_PT), number_text(value, 0), SMALL,
-                   Qt.AlignmentFlag.AlignHCenter)  # fmt: skip
-
-
 def _write_corrections(sheet: Sheet, report: LotReport, unknown: int, corrected: Sequence[FruitRecord]) -> None:
-    _section(sheet, translate("LotReport", "Corrected by hand"))
+    section(sheet, translate("LotReport", "Corrected by hand"))
     if report.corrected:
         renamed = report.corrected - report.left_out
         text = translate(
@@ -229,7 +164,7 @@ def _write_unseen(sheet: Sheet, report: LotReport) -> None:
     lot = report.lot
     if not lot.spells:
         return
-    _section(sheet, translate("LotReport", "Not seen"))
+    section(sheet, translate("LotReport", "Not seen"))
     sheet.words(unseen_text(lot, report.made_s))
     sheet.skip(4)
     widths = [share * sheet.width for share in UNSEEN_PT]
@@ -273,7 +208,7 @@ def _list_corrected(sheet: Sheet, report: LotReport, corrected: Sequence[FruitRe
 
 def _write_method(sheet: Sheet, report: LotReport) -> None:
     sheet.room(110)
-    _section(sheet, translate("LotReport", "How it was measured"))
+    section(sheet, translate("LotReport", "How it was measured"))
     sheet.words(
         translate(
             "LotReport",
@@ -285,18 +220,12 @@ def _write_method(sheet: Sheet, report: LotReport) -> None:
     sheet.words(
         translate(
             "LotReport",
-            "± is half the width of a 95 % interval. That of totals and means adds the errors of single fruit as if no "
-            "two shared one. What all fruit of a lot share, such as the scale of the sensors' placement or the "
-            "correction of a kind, is not in it.",
+            "± is half the width of a 95 % interval. In that of totals and means the errors of single fruit average "
+            "out; what fruit err by together, such as the sensors' scale, the correction of a kind, or its density, "
+            "does not, and is in it whole.",
         )
     )
     lot = report.lot
     if lot.model or lot.reference_sensor:
         text = translate("LotReport", "Kinds by model {model}; frame of reference: sensor {sensor}.")
         sheet.words(text.format(model=model_name(lot.model) or NONE, sensor=lot.reference_sensor or NONE), SMALL)
-
-
-def _section(sheet: Sheet, title: str) -> None:
-    sheet.room(40)
-    sheet.words(title, SECTION)
-    sheet.skip(2)

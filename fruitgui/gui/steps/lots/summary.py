@@ -269,8 +269,8 @@ class Summary(QScrollArea):
         told = spell_texts(figures.lot, figures.now_s, MOST_TOLD)
         self.unseen.setToolTip("\n".join(f"{when}, {lasted}: {what}" for when, lasted, what in told))
         note = self.tr(
-            "± is half the width of a 95 % interval. That of sums and means holds what fruit do not share: errors that "
-            "all have in common (the rig's scale, a kind's correction) are not in it."
+            "± is half the width of a 95 % interval. In that of sums and means what single fruit err by averages out; "
+            "what all err by together (the sensors' scale, a kind's correction) does not."
         )
         self.note.setText(note)
         for figure in (self.volume, self.mass):

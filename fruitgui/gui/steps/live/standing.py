@@ -1,0 +1,61 @@
+"""Says over the counts, in large, that nothing is being counted."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from fruitgui.gui.theme import icons
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.theme.tokens import GRID, RADIUS
+
+HEIGHT = 64
+ICON = 36.0
+
+
+class StandingBand(QWidget):
+    """A band in the colour of warnings; seen only while there is something to say."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = theme
+        self._words, self._why = "", ""
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setVisible(False)
+        theme.changed.connect(self.update)
+
+    def show_words(self, words: str, why: str) -> None:
+        """Say that nothing is counted, and why; empty words take no room."""
+        self._words, self._why = words, why
+        self.setAccessibleName(f"{words}. {why}" if words else "")
+        self.setVisible(bool(words))
+        self.update()
+
+    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """Return the size that it wants."""
+        return QSize(300, HEIGHT)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
+        """Draw it."""
+        theme, box = self._theme, QRectF(self.rect())
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(theme.colour("warn"))
+            painter.drawRoundedRect(box, RADIUS, RADIUS)
+            ink, side = theme.colour("ground"), ICON
+            icons.paint(painter, QRectF(2 * GRID, box.center().y() - side / 2, side, side), "pause", ink)
+            painter.setPen(ink)
+            text = box.adjusted(side + 4 * GRID, GRID, -2 * GRID, -GRID)
+            left = Qt.AlignmentFlag.AlignLeft
+            painter.setFont(self._fitting(self._words, text.width()))
+            painter.drawText(text, left | Qt.AlignmentFlag.AlignTop, self._words)
+            painter.setFont(theme.font("small", QFont.Weight.Medium))
+            why = QFontMetricsF(painter.font()).elidedText(self._why, Qt.TextElideMode.ElideRight, text.width())
+            painter.drawText(text, left | Qt.AlignmentFlag.AlignBottom, why)
+
+    def _fitting(self, words: str, width: float) -> QFont:
+        """Return the largest of the theme's fonts in which the words fit."""
+        fonts = [self._theme.font(size, QFont.Weight.Bold) for size in ("page", "title", "body")]
+        return next((one for one in fonts if QFontMetricsF(one).horizontalAdvance(words) <= width), fonts[-1])

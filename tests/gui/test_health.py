@@ -1,0 +1,59 @@
+"""What the window says for as long as it holds, and what of the disk."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from fruitgui.gui.health import HealthWatch, disk_pill
+from fruitgui.gui.session import Session
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.top_bar import TopBar
+from fruitgui.station.live import LiveState, Phase
+from fruitgui.station.live.blind import Blind
+
+LEFT = Blind(("kinect_1",), ((0.41, 0.65),), 0.65, 0.3)
+
+
+@dataclass
+class Running:
+    """What is asked of a line that runs."""
+
+    state: LiveState | None
+    running: bool = True
+    lot: None = None
+
+
+def test_what_is_blind_stands_until_it_is_seen_again(
+    qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bar = TopBar(theme)
+    qtbot.addWidget(bar)
+    watch = HealthWatch(session, bar, bar)
+    running = Running(LiveState(Phase.RUNNING, blind=LEFT))
+    monkeypatch.setattr(session, "running", running)
+    for _ in range(3):
+        watch.look()
+        assert session.messages.standing is not None
+        assert "left part of the belt" in session.messages.standing.what
+    running.state = replace(LiveState(Phase.RUNNING), blind=None)
+    watch.look()
+    assert session.messages.standing is None
+    running.state = LiveState(Phase.RUNNING, blind=LEFT)
+    watch.look()
+    running.running = False
+    watch.look()
+    assert session.messages.standing is None, "no line, nothing that it does not see"
+
+
+@pytest.mark.usefixtures("qapp")
+def test_room_near_the_limit_is_told_to_a_tenth(qapp: QApplication) -> None:  # noqa: ARG001 - translations
+    near = disk_pill(1.56, 1.5)
+    assert (near.text, near.health) == ("1.6\u2009GB", "warn")
+    assert "1.56 GB" in near.tip
+    assert "below 1.50 GB" in near.tip
+    assert disk_pill(0.4, 0.5).health == "bad"
+    assert disk_pill(84.2, 2.0).text == "84\u2009GB"
