@@ -124,7 +124,7 @@ def test_the_live_screen_loses_nothing_with_fruit_on_it(qtbot: QtBot, theme: The
     on_belt = MappedFruit(7, marks["lemon"], 0.04, Spread(0.3, 0.2, 1e-3, 1e-3, 0.0), way)
     footprint = np.array([[0.0, 0.0], [1.2, 0.0], [1.2, 0.4], [0.0, 0.4]])
     layout.belt.show_map(BeltMap({"kinect_1": footprint}, frozenset(), (on_belt,), 0.1))
-    layout.counts.show_lines([KindLine(marks["lemon"], "Lemon", 3, 110.0, 8.0, 0.3, None, 12)])
+    layout.counts.show_lines([KindLine(marks["lemon"], "Lemon", 3, 110.0, 2.0, 8.0, 0.3, None, 12)])
     layout.last.show_fruit([LastFruit(1, 1, marks["lemon"], "Lemon", 0.98, 112.0, 2.0, None)])
     layout.histogram.show_bars([Bars(marks["lemon"], np.array([1, 3, 2]))], 80.0, 140.0)
     assert lost_by(qtbot, layout) < LOST
