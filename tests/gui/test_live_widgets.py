@@ -12,6 +12,7 @@ from fruitgui.gui.steps.live.counts import LEAST, TOTAL, CountsView, places_for
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
 from fruitgui.gui.steps.live.layout import Pictures, columns_for
 from fruitgui.gui.steps.live.presenter import stale_words
+from fruitgui.gui.steps.live.standing import StandingBand
 from fruitgui.gui.theme.kinds import kind_marks
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.widgets.sensor_picture import Overlays, SensorPicture
@@ -181,6 +182,20 @@ def test_eight_rows_are_drawn_in_the_least_room(qtbot: QtBot, theme: Theme) -> N
     view.resize(360, 308)
     view.show_lines([_line("lemon", 8)] * 8)
     assert _ink_height(view, 7, 8) >= 14
+
+
+@pytest.mark.parametrize(("width", "height"), [(360, 64), (600, 72), (1350, 144)])
+def test_the_band_over_the_counts_grows_with_them(qtbot: QtBot, theme: Theme, width: int, height: int) -> None:
+    band = StandingBand(theme)
+    qtbot.addWidget(band)
+    assert band.isHidden(), "it takes no room before there is something to say"
+    band.resize(width, 64)
+    band.show_words("Nothing is counted", "Lot 1184 is paused.")
+    assert band.height() == height
+    image = band.grab().toImage()
+    assert image.pixelColor(width // 2, 3) == theme.colour("warn")
+    band.show_words("", "")
+    assert band.isHidden()
 
 
 def test_the_belt_is_drawn_with_what_is_on_it(qtbot: QtBot, theme: Theme) -> None:

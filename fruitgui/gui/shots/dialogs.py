@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from functools import partial
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLineEdit, QVBoxLayout, QWidget
 
 from fruitgui.gui.settings_dialog import SettingsDialog
 from fruitgui.gui.shots.stage import Scene, Stage
@@ -40,9 +40,12 @@ class Room(QWidget):
             self._column.removeWidget(self._shown)
             self._shown.deleteLater()
         self._shown = self._make()
+        first = self._shown.focusWidget() or self._shown.findChild(QLineEdit)
         self._shown.setWindowFlags(Qt.WindowType.Widget)
         self._column.addWidget(self._shown, 0, Qt.AlignmentFlag.AlignCenter)
         self._shown.setVisible(True)
+        if first is not None:
+            first.setFocus()  # as it has it in a window of its own
 
 
 @contextmanager

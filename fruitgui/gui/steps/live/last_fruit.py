@@ -57,7 +57,7 @@ class LastFruitView(QWidget):
                 text = self.tr("Each fruit appears here as it is counted.")
                 painter.drawText(QRectF(self.rect()), Qt.AlignmentFlag.AlignCenter, text)
             room = max(self.width() // WIDEST, 1)
-            width = self.width() / room
+            width = (self.width() + GRID) / room  # the last one ends where the strip does
             for number, fruit in enumerate(self._fruit[:room]):
                 drawn = self._card(fruit, width - GRID, newest=number == 0)
                 painter.drawPixmap(QPointF(number * width, 0), drawn)

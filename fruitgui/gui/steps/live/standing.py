@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
 
-HEIGHT = 64
-ICON = 36.0
+HEIGHT, TALLEST = 64, 144
+"""Pixels: it is as high as its width asks for, so that it is read from as far as the counts."""
+
+HEIGHT_SHARE, ICON_SHARE = 0.12, 0.55
 
 
 class StandingBand(QWidget):
@@ -32,6 +34,11 @@ class StandingBand(QWidget):
         self.setVisible(bool(words))
         self.update()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Be as high as the width asks for."""
+        super().resizeEvent(event)
+        self.setFixedHeight(round(min(max(HEIGHT_SHARE * self.width(), HEIGHT), TALLEST)))
+
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Return the size that it wants."""
         return QSize(300, HEIGHT)
@@ -44,18 +51,24 @@ class StandingBand(QWidget):
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.colour("warn"))
             painter.drawRoundedRect(box, RADIUS, RADIUS)
-            ink, side = theme.colour("ground"), ICON
+            ink, side = theme.colour("ground"), ICON_SHARE * box.height()
             icons.paint(painter, QRectF(2 * GRID, box.center().y() - side / 2, side, side), "pause", ink)
             painter.setPen(ink)
             text = box.adjusted(side + 4 * GRID, GRID, -2 * GRID, -GRID)
             left = Qt.AlignmentFlag.AlignLeft
             painter.setFont(self._fitting(self._words, text.width()))
             painter.drawText(text, left | Qt.AlignmentFlag.AlignTop, self._words)
-            painter.setFont(theme.font("small", QFont.Weight.Medium))
+            painter.setFont(self._grown("small", QFont.Weight.Medium))
             why = QFontMetricsF(painter.font()).elidedText(self._why, Qt.TextElideMode.ElideRight, text.width())
             painter.drawText(text, left | Qt.AlignmentFlag.AlignBottom, why)
 
     def _fitting(self, words: str, width: float) -> QFont:
         """Return the largest of the theme's fonts in which the words fit."""
-        fonts = [self._theme.font(size, QFont.Weight.Bold) for size in ("page", "title", "body")]
+        fonts = [self._grown(size, QFont.Weight.Bold) for size in ("page", "title", "body")]
         return next((one for one in fonts if QFontMetricsF(one).horizontalAdvance(words) <= width), fonts[-1])
+
+    def _grown(self, size: str, weight: QFont.Weight) -> QFont:
+        """Return one of the theme's fonts, as much larger as the band is higher."""
+        font = self._theme.font(size, weight)
+        font.setPixelSize(round(font.pixelSize() * self.height() / HEIGHT))
+        return font

@@ -32,6 +32,7 @@ class Spreads(QWidget):
         self._bar, self._grid = QWidget(), QGridLayout()
         self._group = QButtonGroup(self)
         self._spreads: dict[Measured, Distribution] = {}
+        self._arranged: tuple[int, tuple[Measured, ...]] | None = None
         self._lay_out()
         self._say_words()
 
@@ -87,6 +88,9 @@ class Spreads(QWidget):
         columns = columns_for(self.width(), self.height())
         chosen = next(one for one in SPREAD if self.buttons[one].isChecked())
         shown = SPREAD if columns else (chosen,)
+        if (columns, shown) == self._arranged:
+            return  # laying out anew asks for another size, which lays out anew, without an end
+        self._arranged = (columns, shown)
         self._bar.setVisible(not columns)
         for measured in SPREAD:
             self._grid.removeWidget(self._places[measured])

@@ -38,7 +38,7 @@ WIDEST = 1080
 
 FIGURE_WIDTH, NAME_WIDTH = 128, 130
 TIMES_HEIGHT, BAND = 36, 12
-SPREADS_HEIGHT, LEAST_SPREADS_HEIGHT = 220, 176
+SPREADS_HEIGHT, LEAST_SPREADS_HEIGHT = 220, 150
 MOST_TOLD = 20
 """Times that a pointer's rest tells of, the longest."""
 
@@ -242,6 +242,20 @@ class Summary(QScrollArea):
         for words in (self.when, self.note):
             words.setVisible(roomy)
         self._bottom.setMinimumHeight(SPREADS_HEIGHT if roomy else LEAST_SPREADS_HEIGHT)
+        self._fit_words()
+
+    def _fit_words(self) -> None:
+        """Give words the height that they take at this width.
+
+        Were it left to Qt, a scroll area whose height depends on its width would show and hide its scroll bar within
+        one another until the stack is full.
+        """
+        width = self.viewport().width() - 4 * GRID - 2
+        for words in (self.unseen, self.when, self.note):
+            policy = words.sizePolicy()
+            policy.setHeightForWidth(False)
+            words.setSizePolicy(policy)
+            words.setFixedHeight(max(words.heightForWidth(width), 0))
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
@@ -276,3 +290,4 @@ class Summary(QScrollArea):
         for figure in (self.volume, self.mass):
             figure.setToolTip(note)
         self.fruit.setToolTip(self.when.text())
+        self._fit_words()

@@ -1,0 +1,60 @@
+"""The summary of a lot in windows of every height: laying it out ends, and nothing is cut off where there is room."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from fruitgui.gui.steps.lots.figures import LotFigures
+from fruitgui.gui.steps.lots.summary import Summary
+from fruitgui.gui.theme.kinds import kind_marks
+from fruitgui.gui.theme.theme import Theme
+from fruitgui.measurement.sums import SharedSum
+from fruitgui.records.lot import Lot
+from fruitgui.records.spells import Spell
+from fruitgui.records.totals import KindTotal
+from fruitgui.station.live.blind import Blind
+
+NOW_S = 9000.0
+KINDS = ("lemon", "red apple", "green apple", "avocado", "quince")
+AWAY = Spell(10.0, 47.0, Blind(("kinect_1",), ((0.0, 0.2),), 0.6, 0.3))
+
+
+def _figures(kinds: int, spells: tuple[Spell, ...]) -> LotFigures:
+    lot = Lot(1, "1184", "Fundo", "", "", "kinect_1", None, None, {}, (), 0.0, NOW_S, (), spells)
+    volume, mass = SharedSum(1e-3, 1e-12, 1e-6, 1e-13), SharedSum(1.0, 1e-6, 1e-3, 1e-7)
+    totals = tuple(KindTotal(kind, 5, 5, volume, 1e-5, 5, mass, 0.1) for kind in KINDS[:kinds])
+    return LotFigures(lot, totals, 0, 0, NOW_S)
+
+
+@pytest.mark.parametrize("spells", [(), (AWAY,)], ids=["all seen", "some unseen"])
+@pytest.mark.parametrize("kinds", [1, 5])
+def test_laying_out_ends_at_every_size(
+    qtbot: QtBot, theme: Theme, qapp: QApplication, kinds: int, spells: tuple[Spell, ...]
+) -> None:
+    """Words that wrap in a scroll area once filled the stack, and the program was gone."""
+    summary = Summary(theme)
+    qtbot.addWidget(summary)
+    summary.resize(724, 495)
+    summary.show_figures(_figures(kinds, spells), kind_marks(KINDS))
+    summary.show()
+    for width in (560, 724, 1300):
+        for height in (*range(300, 640, 9), 1000):
+            summary.resize(width, height)
+            qapp.processEvents()
+            inside = summary.widget()
+            assert inside is not None
+            assert inside.height() >= summary.viewport().height()
+
+
+def test_all_is_in_view_in_the_least_window(qtbot: QtBot, theme: Theme, qapp: QApplication) -> None:
+    summary = Summary(theme)
+    qtbot.addWidget(summary)
+    summary.resize(724, 495)
+    summary.show_figures(_figures(5, (AWAY,)), kind_marks(KINDS))
+    summary.show()
+    qapp.processEvents()
+    assert summary.verticalScrollBar().maximum() == 0
+    histogram = next(iter(summary.spreads.histograms.values()))
+    assert histogram.height() >= histogram.minimumHeight()
