@@ -29,7 +29,7 @@ QLabel[health="warn"] { color: $warn; }
 QLabel[health="bad"] { color: $bad; }
 
 QPushButton, QToolButton, QComboBox {
-    background: $raised; border: 1px solid $line; border-radius: 8px;
+    background: $raised; border: 1px solid $edge; border-radius: 8px;
     min-height: ${inner}px; padding: 0 16px;
 }
 QToolButton { padding: 0 10px; }
@@ -50,7 +50,7 @@ QPushButton[role="quiet"]:focus, QToolButton[role="quiet"]:focus { border: 2px s
 QPushButton[role="danger"] { color: $bad; }
 
 QLineEdit, QAbstractSpinBox, QTextEdit, QPlainTextEdit {
-    background: $raised; border: 1px solid $line; border-radius: 8px; min-height: ${inner}px; padding: 0 10px;
+    background: $raised; border: 1px solid $edge; border-radius: 8px; min-height: ${inner}px; padding: 0 10px;
     selection-background-color: $accent; selection-color: $on_accent;
 }
 QAbstractSpinBox::up-button { subcontrol-origin: border; subcontrol-position: top right; width: 0; border: 0; }
