@@ -37,9 +37,9 @@ class FruitPanel(Card):
         self._desk = desk
         self._marks: Mapping[str, KindMark] = {}
         self._row = 0
-        self.table, self.large = FruitTable(theme), FruitView(theme)
+        self._stack = QStackedWidget(self)
+        self.table, self.large = FruitTable(theme, self._stack), FruitView(theme, self._stack)
         self.hand = HandBar(theme, self)
-        self._stack = QStackedWidget()
         self._stack.addWidget(self.table)
         self._stack.addWidget(self.large)
         column = self.body

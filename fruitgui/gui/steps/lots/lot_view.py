@@ -37,9 +37,9 @@ class LotView(QWidget):
         self._state = LotState.ENDED
         self.name, self.about, self.state, self._icon = label("", "page"), label("", "dim"), label("", "dim"), QLabel()
         self.note = label("", "dim")
-        self.summary, self.fruit = Summary(theme), FruitPanel(theme, desk)
-        self.summary_button, self.fruit_button = QPushButton(), QPushButton()
-        self._stack = QStackedWidget()
+        self._stack = QStackedWidget(self)
+        self.summary, self.fruit = Summary(theme, self._stack), FruitPanel(theme, desk, self._stack)
+        self.summary_button, self.fruit_button = QPushButton(self), QPushButton(self)
         self._lay_out()
         self._connect()
         self._say_words()

@@ -41,8 +41,10 @@ class LotsPage(StepPage):
         self._in_view = False
         self._line_lot: int | None = None
         self.desk = Desk(session.store, self)
-        self.lots, self.lot = LotList(theme), LotView(theme, self.desk, session.looks)
-        self._empty, self._stack = EmptyPlace(theme, "lots"), QStackedWidget()
+        self._stack = QStackedWidget(self)
+        self._nothing = Card(parent=self._stack)
+        self._empty = EmptyPlace(theme, "lots", parent=self._nothing)
+        self.lots, self.lot = LotList(theme, self), LotView(theme, self.desk, session.looks, self._stack)
         self.handing_on = HandingOn(session.store, session.tasks, session.messages, self)
         self.store_menu = StoreMenu(
             session.workspace.folder, session.tasks, session.messages, self, lambda: session.running.running
@@ -87,9 +89,8 @@ class LotsPage(StepPage):
 
     def _lay_out(self) -> None:
         self.lots.setFixedWidth(LIST_WIDTH)
-        nothing = Card()
-        nothing.body.addWidget(self._empty)
-        self._stack.addWidget(nothing)
+        self._nothing.body.addWidget(self._empty)
+        self._stack.addWidget(self._nothing)
         self._stack.addWidget(self.lot)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)

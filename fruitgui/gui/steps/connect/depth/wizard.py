@@ -47,8 +47,8 @@ class DepthWizard(QWidget):
         self._task: Task[Taken] | Task[Worked] | None = None
         self._showing: Showing | None = None
         self._ready = False
-        self.panel, self.result = MeasurePanel(theme), ResultView(theme)
-        self._stack = QStackedWidget()
+        self._stack = QStackedWidget(self)
+        self.panel, self.result = MeasurePanel(theme, self._stack), ResultView(theme, self._stack)
         self._draw = QTimer(self, interval=DRAW_MS)
         self.choices = WizardActions(self)
         self._lay_out()
