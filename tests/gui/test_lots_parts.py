@@ -111,7 +111,9 @@ def test_what_was_not_seen_is_said_with_how_long_and_who_was_away() -> None:
     left, less = Blind(("kinect_2",), ((0.41, 0.65),), 0.65, 0.3), Blind(("kinect_1",), (), 0.65, 0.0)
     lot = _lot(spells=(Spell(1100.0, 1137.0, left), Spell(1200.0, 1500.0, less), Spell(2000.0, None, left)))
     text = unseen_text(lot, 2010.0).replace("\u2009", " ")
-    assert text == "For 47 s (2×) fruit may have passed unseen; for 5 min (1×) sizes are less sure"
+    assert text == (
+        "For 47 s (2×, kinect_2) fruit may have passed unseen; for 5 min (1×, kinect_1) sizes are less sure"
+    )
     told = spell_texts(lot, 2010.0, 2)
     assert [lasted.replace("\u2009", " ") for _, lasted, _ in told] == ["37 s", "5 min"], "the longest, in order"
     assert "kinect_2 away: no sensor sees the left part" in told[0][2]

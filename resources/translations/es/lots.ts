@@ -558,12 +558,12 @@
         <translation>{count} pausas, en total {time}</translation>
     </message>
     <message>
-        <source>For {time} ({count}×) fruit may have passed unseen</source>
-        <translation>Durante {time} ({count}×) pudo pasar fruta sin ser vista</translation>
+        <source>For {time} ({count}×, {sensors}) fruit may have passed unseen</source>
+        <translation>Durante {time} ({count}×, {sensors}) pudo pasar fruta sin ser vista</translation>
     </message>
     <message>
-        <source>for {time} ({count}×) sizes are less sure</source>
-        <translation>durante {time} ({count}×) los tamaños son menos seguros</translation>
+        <source>for {time} ({count}×, {sensors}) sizes are less sure</source>
+        <translation>durante {time} ({count}×, {sensors}) los tamaños son menos seguros</translation>
     </message>
     <message>
         <source>recipe {recipe}</source>

@@ -155,15 +155,15 @@ def times_text(lot: Lot, now_s: float) -> str:
 
 
 def unseen_text(lot: Lot, now_s: float) -> str:
-    """Return for how long sensors were away while a lot ran, and whether fruit may have passed unseen meanwhile."""
+    """Return for how long which sensors were away while a lot ran, and whether fruit may have passed unseen."""
     lost = [one for one in lot.spells if one.blind.loses_fruit]
     less = [one for one in lot.spells if not one.blind.loses_fruit]
     parts = []
     if lost:
-        text = translate("Lots", "For {time} ({count}×) fruit may have passed unseen")
+        text = translate("Lots", "For {time} ({count}×, {sensors}) fruit may have passed unseen")
         parts.append(_lasted(text, lost, now_s))
     if less:
-        text = translate("Lots", "for {time} ({count}×) sizes are less sure")
+        text = translate("Lots", "for {time} ({count}×, {sensors}) sizes are less sure")
         parts.append(_lasted(text, less, now_s))
     text = "; ".join(parts)
     return text[:1].upper() + text[1:]
@@ -184,7 +184,8 @@ def spell_texts(lot: Lot, now_s: float, most: int) -> list[tuple[str, str, str]]
 
 def _lasted(text: str, spells: Sequence[Spell], now_s: float) -> str:
     lasted_s = sum(one.lasted_s(now_s) for one in spells)
-    return text.format(time=duration_text(lasted_s), count=count_text(len(spells)))
+    away = sorted({sensor for one in spells for sensor in one.blind.sensors})
+    return text.format(time=duration_text(lasted_s), count=count_text(len(spells)), sensors=", ".join(away))
 
 
 def model_name(model: str | None) -> str:
