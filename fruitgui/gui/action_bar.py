@@ -173,6 +173,8 @@ class ActionBar(QWidget):
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
         if event.type() == QEvent.Type.LanguageChange:
+            if self._message is not None and self._message.again is not None:
+                self._message = self._message.again()
             self._say_words()
         super().changeEvent(event)
 

@@ -91,13 +91,14 @@ class Application(QObject):
         """Return what is said of a file that could not be read; the last good one is offered where there is one."""
         what = self.tr("{file} is damaged; it was set aside, unharmed.").format(file=damage.file.name)
         why = error_words.told(damage.error).what
+        again = partial(self._damaged, damage)
         if damage.last_good is None:
-            return Message(Level.BAD, what, why, stays=True)
+            return Message(Level.BAD, what, why, stays=True, again=again)
 
         def take() -> None:
             self.session.take_last_good(damage)
 
-        return Message(Level.BAD, what, why, self.tr("Take the last good one"), take, stays=True)
+        return Message(Level.BAD, what, why, self.tr("Take the last good one"), take, stays=True, again=again)
 
     def _close(self) -> bool:
         """End all that runs; it was saved as it came, or is now."""

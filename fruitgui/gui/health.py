@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import shutil
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
@@ -142,7 +143,8 @@ def warning_message(warning: LiveWarning, blind: Blind | None = None) -> Message
     what, remedy = words()
     stays = warning.code in STAYING
     sensors = ", ".join(warning.sensors)
-    return Message(Level.BAD if stays else Level.WARN, what.format(sensors=sensors), remedy, stays=stays)
+    level, again = Level.BAD if stays else Level.WARN, partial(warning_message, warning, blind)
+    return Message(level, what.format(sensors=sensors), remedy, stays=stays, again=again)
 
 
 def blind_message(blind: Blind) -> Message:

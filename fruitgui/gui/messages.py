@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
@@ -34,6 +35,7 @@ class Message:
         remedy: what to do; empty where there is nothing to do.
         action, act: a word on a button, and what it does; for example Undo.
         stays: until the person has closed it; others go by themselves.
+        again: says the same in the language that the window speaks now; None where the words are all there is.
     """
 
     level: Level
@@ -42,6 +44,7 @@ class Message:
     action: str = ""
     act: Callable[[], None] | None = None
     stays: bool = False
+    again: Callable[[], Message] | None = field(default=None, compare=False)
 
 
 class Messages(QObject):
@@ -97,8 +100,13 @@ class Messages(QObject):
     def error(self, error: FruitguiError) -> None:
         """Say what failed and what to do; the log has it as exactly as the core said it."""
         log.error("%s: %s %s", error.code, error.what, error.remedy)
-        told = error_words.told(error)
-        self.say(Message(Level.BAD, told.what, told.remedy, stays=True))
+        self.say(error_message(error))
+
+
+def error_message(error: FruitguiError) -> Message:
+    """Return an error as a message, in the language that the window speaks now."""
+    told = error_words.told(error)
+    return Message(Level.BAD, told.what, told.remedy, stays=True, again=partial(error_message, error))
 
 
 _WEIGHTS = {

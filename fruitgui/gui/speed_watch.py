@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from PySide6.QtCore import QObject
 
@@ -42,4 +44,4 @@ class SpeedWatch(QObject):
             speed=f"{number_text(speed_m_s, 2)}{THIN}m/s", highest=f"{number_text(highest_m_s, 2)}{THIN}m/s"
         )
         remedy = self.tr("Slow it down: fruit may be missed, or counted twice. Step 1 says what limits the speed.")
-        return Message(Level.BAD, what, remedy, stays=True)
+        return Message(Level.BAD, what, remedy, stays=True, again=partial(self._message, speed_m_s, highest_m_s))

@@ -5,16 +5,20 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
+from fruitgui.errors import WorldError
 from fruitgui.gui.action_bar import ActionButton
-from fruitgui.gui.messages import Level, Message
+from fruitgui.gui.health import warning_message
+from fruitgui.gui.messages import Level, Message, error_message
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import TOUCH
+from fruitgui.gui.translate import Language
 from fruitgui.gui.window import MainWindow
+from fruitgui.station.live.state import LiveWarning
 from fruitgui.station.workflow import Facts, Step, step_states
 
 
@@ -122,6 +126,27 @@ def test_what_holds_is_shown_for_as_long_as_it_holds(session: Session, window: M
     assert bar._text.text() == "The disk is nearly full."
     messages.stand("room", None)
     assert bar._text.text() == "Put fruit on the belt."
+
+
+def test_what_is_said_of_an_error_takes_over_another_language(
+    qapp: QApplication, session: Session, window: MainWindow
+) -> None:
+    error = WorldError("disk_full", "The disk is full.", "Make room on it.", file="records.sqlite")
+    warning = LiveWarning("calibration_stale", "Sensor kinect_1 was moved.", ("kinect_1",))
+    language, bar = Language(), window.action_bar
+    for message in (error_message(error), warning_message(warning)):
+        session.messages.say(message)
+        english = bar._text.text(), bar._detail.text()
+        language.put_on(qapp, "es")
+        qapp.processEvents()
+        try:
+            spanish = bar._text.text(), bar._detail.text()
+        finally:
+            language.put_on(qapp, "en")
+            qapp.processEvents()
+        assert all(one != other for one, other in zip(english, spanish, strict=True))
+        assert (bar._text.text(), bar._detail.text()) == english == (message.what, message.remedy)
+        assert bar._close.isVisible()
 
 
 def test_the_rail_says_how_far_each_step_is(window: MainWindow) -> None:
