@@ -95,6 +95,13 @@ def test_what_is_measured_and_kept_is_gone_by_at_once_and_after_a_restart(
     assert source.room.most_lit <= 1
 
 
+def test_the_way_to_it_is_in_view_in_the_least_window(qtbot: QtBot, page: ConnectPage) -> None:
+    button = page.turns.measure
+    qtbot.waitUntil(button.isVisible, timeout=LONG_MS)
+    qtbot.waitUntil(lambda: page.turns.result.height() > 0 and bool(page.turns.result.text()), timeout=LONG_MS)
+    assert button.visibleRegion().boundingRect() == button.rect()
+
+
 def test_stopping_and_closing_in_the_middle_change_nothing(qtbot: QtBot, session: Session, page: ConnectPage) -> None:
     dialog = _opened(qtbot, page)
     qtbot.mouseClick(dialog.begin, Qt.MouseButton.LeftButton)

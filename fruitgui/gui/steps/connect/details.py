@@ -127,23 +127,23 @@ class SensorDetails(Card):
             facts.addWidget(self._heads[part], row, 0, Qt.AlignmentFlag.AlignTop)
             facts.addWidget(self._facts[part], row, 1)
         facts.addWidget(self._lock_remedy, len(self._heads), 0, 1, 2)
-        wide, small = QHBoxLayout(), QHBoxLayout()
-        for line, parts in ((wide, ("identify", "reference")), (small, ("left", "right"))):
+        top, wide = QHBoxLayout(), QHBoxLayout()
+        for line in (top, wide):
             line.setSpacing(GRID)
-            for part in parts:
-                self.buttons[part].setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-                line.addWidget(self.buttons[part], 1)
-        small.addWidget(self.buttons["leave"])
+        top.addWidget(self.name, 1)
+        for part in ("left", "right", "leave"):
+            top.addWidget(self.buttons[part])
+        for part in ("identify", "reference"):
+            self.buttons[part].setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            wide.addWidget(self.buttons[part], 1)
         self.body.setSpacing(GRID // 2)
-        self.body.addWidget(self.name)
+        self.body.addLayout(top)
         for text in (self._problem, self._condition, self._remedy):
             self.body.addWidget(text)
         self.body.addSpacing(GRID // 2)
         self.body.addLayout(facts)
         self.body.addSpacing(GRID // 2)
         self.body.addLayout(wide)
-        self.body.addSpacing(GRID // 2)
-        self.body.addLayout(small)
         self.body.addSpacing(GRID // 2)
         self.body.addWidget(self.buttons["depth"])
         self.body.addStretch()
