@@ -79,6 +79,13 @@
         <translation>Arrastre las esquinas hasta donde puede haber fruta, indique cómo se mueve la cinta y guarde.</translation>
     </message>
     <message>
+        <source>The belt is saved.</source>
+        <translation>La cinta quedó guardada.</translation>
+    </message>
+</context>
+<context>
+    <name>MotionDesk</name>
+    <message>
         <source>Measuring the belt</source>
         <translation>Midiendo la cinta</translation>
     </message>
@@ -89,10 +96,6 @@
     <message>
         <source>Let the belt run with single fruit on it, and measure again; or type the speed.</source>
         <translation>Haga avanzar la cinta con frutas separadas y mida de nuevo; o escriba la velocidad.</translation>
-    </message>
-    <message>
-        <source>The belt is saved.</source>
-        <translation>La cinta quedó guardada.</translation>
     </message>
 </context>
 <context>

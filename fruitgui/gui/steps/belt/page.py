@@ -15,13 +15,13 @@ from fruitgui.gui.session import Session
 from fruitgui.gui.steps.belt.advice import advice
 from fruitgui.gui.steps.belt.backdrop import Backdrop
 from fruitgui.gui.steps.belt.draft import Draft, added, draft_of, moved, removed, saved_in, undone, with_measured
-from fruitgui.gui.steps.belt.measuring import Motion, measuring, plan_motion
+from fruitgui.gui.steps.belt.measuring import plan_motion
+from fruitgui.gui.steps.belt.motion_desk import MotionDesk
 from fruitgui.gui.steps.belt.projection import Projection, Through, above, motion_arrow
 from fruitgui.gui.steps.belt.region_canvas import RegionCanvas
 from fruitgui.gui.steps.belt.side_panel import SidePanel
 from fruitgui.gui.steps.belt.tool_row import ABOVE, ToolRow
 from fruitgui.gui.steps.page import StepPage
-from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace
@@ -31,6 +31,7 @@ from fruitgui.station.belt_setting import area_m2
 from fruitgui.station.fingerprint import calibration_fingerprint
 from fruitgui.station.station import Station
 from fruitgui.station.workflow import Step
+from fruitgui.tracking.belt import BeltMotion
 
 DRAW_MS = 125
 SIDE_WIDTH = 344
@@ -47,11 +48,11 @@ class BeltPage(StepPage):
         self._station: Station | None = None
         self._spread_m_s: float | None = None
         self._shown = ABOVE
-        self._task: Task[Motion] | None = None
         self._changed = False
         self.nothing, self.canvas = EmptyPlace(theme, "belt"), RegionCanvas(theme)
         self.side, self.tools = SidePanel(session, theme), ToolRow(theme)
         self._stack, self._backdrop = QStackedWidget(), Backdrop(self)
+        self.motion = MotionDesk(session, self)
         self._draw = QTimer(self, interval=DRAW_MS)
         self.save_action, self.undo_action = QAction(self), QAction(self)
         self.on_action, self.back_action = QAction(self), QAction(self)
@@ -120,6 +121,8 @@ class BeltPage(StepPage):
         canvas.removed.connect(self._remove)
         side.changed.connect(self._set)
         side.measure.connect(self._measure)
+        self.motion.found.connect(self._take_motion)
+        self.motion.changed.connect(self._show_draft)
         self.save_action.triggered.connect(self._save)
         self.undo_action.triggered.connect(self._undo)
         self.on_action.triggered.connect(self._go_on)
@@ -197,7 +200,7 @@ class BeltPage(StepPage):
             )
             self.tools.show_region(len(draft.corners_m), area_m2(draft.corners_m))
             self.side.show_draft(draft, self._spread_m_s)
-        self.side.busy(self._task is not None, ready=self._feed() is not None)
+        self.side.busy(self.motion.busy, ready=self._feed() is not None)
         self._show_actions()
 
     def _show_actions(self) -> None:
@@ -208,9 +211,9 @@ class BeltPage(StepPage):
             return
         done = not self._changed and self._session.marks.belt_calibration == self._fingerprint()
         self.undo_action.setEnabled(draft.before is not None)
-        self.save_action.setEnabled(not draft.problem and self._task is None)
+        self.save_action.setEnabled(not draft.problem and not self.motion.busy)
         self.offer(self.on_action if done else self.save_action, self.undo_action)
-        self.say(advice(draft, done=done, measuring=self._task is not None))
+        self.say(advice(draft, done=done, measuring=self.motion.busy))
 
     def _fingerprint(self) -> str:
         return "" if self._station is None else calibration_fingerprint(self._station)
@@ -263,31 +266,14 @@ class BeltPage(StepPage):
 
     def _measure(self) -> None:
         feed, station = self._feed(), self._station
-        if feed is None or station is None or self._task is not None:
-            return
-        self._task = self._session.tasks.run(self.tr("Measuring the belt"), measuring(feed, station))
-        self._task.succeeded.connect(self._take_motion)
-        self._task.failed.connect(self._session.messages.error)
-        self._task.ended.connect(self._measured)
-        self._show_draft()
+        if feed is not None and station is not None:
+            self.motion.measure(feed, station)
 
-    def _take_motion(self, found: Motion) -> None:
+    def _take_motion(self, found: BeltMotion) -> None:
         station, draft = self._station, self._draft
-        if station is None or draft is None:
-            return
-        if found.motion is None:
-            self._session.messages.warn(
-                self.tr("No fruit passed from which the speed could be told."),
-                self.tr("Let the belt run with single fruit on it, and measure again; or type the speed."),
-            )
-            return
-        plan = plan_motion(station, found.motion)
-        self._spread_m_s = float(np.sqrt(max(np.trace(found.motion.covariance), 0.0) / 3.0))
-        self._edit(with_measured(draft, plan))
-
-    def _measured(self) -> None:
-        self._task = None
-        self._show_draft()
+        if station is not None and draft is not None:
+            self._spread_m_s = float(np.sqrt(max(np.trace(found.covariance), 0.0) / 3.0))
+            self._edit(with_measured(draft, plan_motion(station, found)))
 
     def _save(self) -> None:
         draft, station = self._draft, self._station
