@@ -18,6 +18,7 @@ from fruitgui.gui.steps.calibrate.cloud import Side
 from fruitgui.gui.steps.calibrate.flat_cloud import FlatCloud
 from fruitgui.gui.steps.calibrate.page import CalibratePage
 from fruitgui.gui.theme.theme import Theme
+from fruitgui.sensors.feed import Feed
 from fruitgui.simulation.scenes import still_scene
 from fruitgui.station.fused_cloud import SensorCloud
 from fruitgui.station.workflow import State, Step
@@ -77,6 +78,19 @@ def test_without_sensors_it_says_where_to_go(page: CalibratePage) -> None:
     assert page.main_action is page.connect_action
     page.connect_action.trigger()
     assert wanted == [Step.CONNECT]
+
+
+def test_while_a_sensor_gives_no_pictures_the_way_to_it_is_offered(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _connect(qtbot, rigged, rig)
+    qtbot.waitUntil(page.calibrate_action.isEnabled, timeout=LONG_MS)
+    assert page.connect_action not in page.other_actions
+    monkeypatch.setattr(Feed, "newest", lambda *_: None)
+    rigged.connected.health_changed.emit()
+    assert not page.calibrate_action.isEnabled()
+    assert page.connect_action in page.other_actions
+    assert "Connect" in page.hint
 
 
 def test_the_meter_tells_what_the_sensors_have_in_common(

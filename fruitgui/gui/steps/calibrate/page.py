@@ -198,8 +198,13 @@ class CalibratePage(StepPage):
             self.offer(self.connect_action)
             self.say(self.tr("Connect the sensors first."))
         else:
-            self.offer(self.calibrate_action, *((self.back_action,) if self._calibrated() else ()))
+            self.offer(self.calibrate_action, *self._ways_on(ready))
             self.say(self._prepare_hint(ready))
+
+    def _ways_on(self, ready: bool) -> list[QAction]:
+        """Return what else can be done while nothing was calibrated."""
+        ways = [self.connect_action] if not ready and not self._session.running.running else []
+        return [*ways, self.back_action] if self._calibrated() else ways
 
     def _prepare_hint(self, ready: bool) -> str:
         if self._session.running.running:

@@ -86,8 +86,9 @@ class TurnCard(Card):
         self.body.setSpacing(GRID // 2)
         self.body.addWidget(self.picture)
         self.measure = QPushButton()
-        for one in (self.result, self.measure, self.why):  # what is to be pressed is in view in a small window, too
-            self.body.addWidget(one)
+        self.body.addWidget(self.result)
+        self.body.addWidget(self.measure)  # what is to be pressed is in view in a small window, too
+        self.body.addWidget(self.why)
         self._say_words()
 
     def show_plan(self, plan: TurnPlan | None, sensors: tuple[str, ...], *, free: bool = True) -> None:
