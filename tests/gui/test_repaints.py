@@ -120,11 +120,14 @@ def test_the_live_screen_loses_nothing_with_fruit_on_it(qtbot: QtBot, theme: The
     grey = np.full((480, 640, 3), 90, np.uint8)
     for sensor, picture in layout.pictures.pictures.items():
         picture.show_picture(DrawnPicture(sensor, grey, (fruit,), "good", "10/s"))
+    stale = DrawnPicture("kinect_2", grey, (fruit,), "bad", "silent", "no picture for 12 s")
+    layout.pictures.pictures["kinect_2"].show_picture(stale)
     way = np.array([[0.0, 0.2], [0.3, 0.2]])
     on_belt = MappedFruit(7, marks["lemon"], 0.04, Spread(0.3, 0.2, 1e-3, 1e-3, 0.0), way)
     footprint = np.array([[0.0, 0.0], [1.2, 0.0], [1.2, 0.4], [0.0, 0.4]])
     layout.belt.show_map(BeltMap({"kinect_1": footprint}, frozenset(), (on_belt,), 0.1))
     layout.counts.show_lines([KindLine(marks["lemon"], "Lemon", 3, 110.0, 2.0, 8.0, 0.3, None, 12)])
+    layout.standing.show_words("Nothing is counted", "Lot 1184 is paused.")
     layout.last.show_fruit([LastFruit(1, 1, marks["lemon"], "Lemon", 0.98, 112.0, 2.0, None)])
     layout.histogram.show_bars([Bars(marks["lemon"], np.array([1, 3, 2]))], 80.0, 140.0)
     assert lost_by(qtbot, layout) < LOST
