@@ -53,6 +53,7 @@ class HealthWatch(QObject):
         self._timer = QTimer(self, interval=LOOK_MS)
         self._timer.timeout.connect(self._ask)
         session.running.ticked.connect(self._warn)
+        bar.words_wanted.connect(self.look)
         session.running.changed.connect(self.look)
         session.recorder.changed.connect(self.look)
         session.connected.changed.connect(self.look)

@@ -34,12 +34,14 @@ class TopBar(QWidget):
     Attributes:
         pill_pressed: name of the pill that the operator pressed.
         help_wanted, theme_wanted, settings_wanted: a button was pressed.
+        words_wanted: the language is another; whoever shows pills says them anew.
     """
 
     pill_pressed = Signal(str)
     help_wanted = Signal()
     theme_wanted = Signal()
     settings_wanted = Signal()
+    words_wanted = Signal()
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -102,6 +104,7 @@ class TopBar(QWidget):
         """Take over another language."""
         if event.type() == QEvent.Type.LanguageChange:
             self._say_words()
+            self.words_wanted.emit()
         super().changeEvent(event)
 
     def _make_pills(self, pills: tuple[Pill, ...]) -> None:

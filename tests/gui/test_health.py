@@ -12,6 +12,7 @@ from fruitgui.gui.health import HealthWatch, disk_pill
 from fruitgui.gui.session import Session
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.top_bar import TopBar
+from fruitgui.gui.translate import Language
 from fruitgui.station.live import LiveState, Phase
 from fruitgui.station.live.blind import Blind
 
@@ -57,3 +58,23 @@ def test_room_near_the_limit_is_told_to_a_tenth(qapp: QApplication) -> None:  # 
     assert "below 1.50 GB" in near.tip
     assert disk_pill(0.4, 0.5).health == "bad"
     assert disk_pill(84.2, 2.0).text == "84\u2009GB"
+
+
+def test_what_holds_and_the_pills_take_over_another_language_at_once(
+    qtbot: QtBot, qapp: QApplication, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bar, language = TopBar(theme), Language()
+    qtbot.addWidget(bar)
+    watch = HealthWatch(session, bar, bar)
+    monkeypatch.setattr(session, "running", Running(LiveState(Phase.RUNNING, blind=LEFT)))
+    watch.look()
+    english = session.messages.standing
+    language.put_on(qapp, "es")
+    qapp.processEvents()
+    spanish = session.messages.standing
+    language.put_on(qapp, "en")
+    qapp.processEvents()
+    assert english is not None
+    assert spanish is not None
+    assert english.what != spanish.what
+    assert session.messages.standing == english
