@@ -10,9 +10,12 @@ from fruitgui.calibration.projectors.settling import Refusal
 from fruitgui.cli.console import Console
 from fruitgui.errors import InputError
 from fruitgui.progress import never_cancelled
-from fruitgui.station.devices import connected_devices, known_by_workspace
+from fruitgui.sensors.sensor import Sensor
+from fruitgui.simulation.ahead import SimulatedRig
+from fruitgui.station.devices import Known, connected_devices, known_by_workspace, named_by_serial
 from fruitgui.station.projector_job import Pair, Tried, try_devices
 from fruitgui.station.projectors import Projectors
+from fruitgui.station.sources import PRESETS
 from fruitgui.station.workspace import default_folder, open_workspace
 
 if TYPE_CHECKING:
@@ -21,6 +24,7 @@ if TYPE_CHECKING:
     from fruitgui.calibration.projectors.settling import Settled
 
 REFUSED = 3
+SIMULATED = "opposed_projectors"
 
 REASONS = {
     Refusal.TOO_FEW: "too few pictures came. Check the cable, then measure again",
@@ -36,14 +40,31 @@ def measure_projectors(line: Path | None, console: Console) -> int:
     Args:
         line: the folder; the usual one unless given.
     """
-    folder = default_folder() if line is None else line
-    known = known_by_workspace(folder)
-    console.warn(known.trouble)
+    folder, known = _known(line, console)
     sensors = connected_devices(known.names)
     if not sensors:
         raise InputError(
             "no_turns", "No sensor is connected that takes turns.", "Plug them in; fruitgui sensors says what is wrong."
         )
+    return _measure(folder, known, sensors, console)
+
+
+def measure_simulated(line: Path | None, console: Console) -> int:
+    """Do the same with a simulated rig over a belt that stands; see `measure_projectors`."""
+    folder, known = _known(line, console)
+    rig = SimulatedRig(PRESETS[SIMULATED])
+    with rig.standing():
+        return _measure(folder, known, named_by_serial(rig.sensors(), known.names), console)
+
+
+def _known(line: Path | None, console: Console) -> tuple[Path, Known]:
+    folder = default_folder() if line is None else line
+    known = known_by_workspace(folder)
+    console.warn(known.trouble)
+    return folder, known
+
+
+def _measure(folder: Path, known: Known, sensors: list[Sensor], console: Console) -> int:
     tried = try_devices(sensors, known.schedule(sensors), datetime.now(UTC), console.progress, never_cancelled)
     kept = _keep(folder, tried)
     console.result({**tried.value(), "kept": None if kept is None else str(kept)})

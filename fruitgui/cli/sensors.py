@@ -25,6 +25,9 @@ def add(commands: Commands) -> None:
         "--projectors", action="store_true",
         help="measure how long each projector takes to settle and who blinds whom, on a belt that stands; keep it",
     )  # fmt: skip
+    command.add_argument(
+        "--simulated", action="store_true", help="with --projectors: measure those of a simulated rig, to try it"
+    )
     command.add_argument("--line", type=Path, metavar="FOLDER", help="where that is kept (the window's)")
     command.add_argument(
         "--root", type=Path, default=Path("/"), metavar="FOLDER",
@@ -41,9 +44,12 @@ def run(options: argparse.Namespace, console: Console) -> int:
     if options.install_udev_rules:
         return _install(options.root, console, asked=options.yes)
     if options.projectors:
-        from fruitgui.cli.projectors import measure_projectors
+        from fruitgui.cli.projectors import measure_projectors, measure_simulated
 
-        return measure_projectors(options.line, console)
+        measure = measure_simulated if options.simulated else measure_projectors
+        return measure(options.line, console)
+    if options.simulated:
+        raise InputError("usage", "--simulated goes with --projectors only.", "Add --projectors, or leave it out.")
     seconds = finite(options.seconds, "--seconds")
     if not 0.0 <= seconds <= LONGEST_S:
         raise InputError("usage", f"--seconds {seconds:g} is out of range.", f"Give 0 to {LONGEST_S:g} seconds.")

@@ -72,6 +72,14 @@ class SharedStream:
                 self._queues[sensor].clear()
             self._changed.notify_all()
 
+    def forget(self, sensor: str) -> None:
+        """Let go of the frames that wait for a sensor."""
+        with self._changed:
+            self._queues[sensor].clear()
+            if self._pending is not None and self._pending.sensor == sensor:
+                self._pending = None
+            self._changed.notify_all()
+
     def close(self, sensor: str) -> None:
         """End, if this was the last."""
         self.run(sensor, False)
@@ -176,6 +184,10 @@ class SharedSensor:
 
     def projector(self, on: bool) -> None:
         """Do nothing: the frames were lit when they were made."""
+
+    def forget(self) -> None:
+        """Let go of the frames that wait to be read."""
+        self._shared.forget(self._info.sensor)
 
     def stop(self) -> None:
         """Take part no longer."""

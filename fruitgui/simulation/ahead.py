@@ -8,6 +8,7 @@ import os
 import signal
 import threading
 from collections import Counter, deque
+from collections.abc import Iterator
 from multiprocessing.connection import Connection
 from multiprocessing.shared_memory import SharedMemory
 from typing import Any
@@ -16,9 +17,12 @@ from fruitgui.errors import WorldError
 from fruitgui.frame import U8, U16, Frame, Intrinsics
 from fruitgui.sensors.frame_memory import BYTES_PER_PIXEL, frame_maps, lay
 from fruitgui.sensors.player import AtSpeed, Pace
-from fruitgui.sensors.shared import SharedSensor, SharedStream
+from fruitgui.sensors.sensor import Sensor
+from fruitgui.sensors.shared import SharedStream
+from fruitgui.simulation.projector import Beams, projector_models
 from fruitgui.simulation.show import Show, Showing, show_info
 from fruitgui.simulation.supply import LineOptions
+from fruitgui.simulation.switched import switched_sensors
 
 AHEAD = 10
 """Frames that lie ready: a batch of new fruit, or a busy second core, holds nothing up."""
@@ -41,12 +45,24 @@ class SimulatedRig:
     def __init__(self, options: LineOptions, pace: Pace | None = None) -> None:
         self.options = options
         self._rendered = Rendered(options, AtSpeed() if pace is None else pace)
-        infos = [show_info(device, options) for device in options.setting().devices]
-        self._shared = SharedStream(self._rendered, infos)
+        devices = options.setting().devices
+        infos = [show_info(device, options) for device in devices]
+        models = projector_models(options.rig_seed, [device.sensor for device in devices], options.settling_s)
+        self._beams = Beams(devices, models, options.seed)
+        self._sensors: tuple[Sensor, ...] = (
+            tuple(switched_sensors(self._rendered, self._beams, infos))
+            if options.settling_s > 0.0
+            else tuple(SharedStream(self._rendered, infos).sensors())
+        )
 
-    def sensors(self) -> list[SharedSensor]:
+    def sensors(self) -> list[Sensor]:
         """Return the sensors."""
-        return self._shared.sensors()
+        return list(self._sensors)
+
+    @property
+    def beams(self) -> Beams:
+        """The truth about its projectors, where they are switched."""
+        return self._beams
 
     @property
     def showing(self) -> Showing:
@@ -56,6 +72,18 @@ class SimulatedRig:
     def show(self, showing: Showing) -> None:
         """Let something else lie before the sensors, from the next frame on. From any thread."""
         self._rendered.show(showing)
+
+    @contextlib.contextmanager
+    def standing(self) -> Iterator[None]:
+        """Let the belt stand meanwhile, with what lies on it; where something else is shown that stays."""
+        before = self.showing
+        if before is Showing.LINE:
+            self.show(Showing.PAUSED)
+        try:
+            yield
+        finally:
+            if self.showing is Showing.PAUSED:
+                self.show(before)
 
     @property
     def belt_s(self) -> float:

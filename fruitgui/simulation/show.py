@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 
 from fruitgui.frame import Frame
-from fruitgui.sensors.sensor import ColorLock, SensorInfo
+from fruitgui.sensors.sensor import ColorLock, Projector, SensorInfo
 from fruitgui.simulation.body import Body
 from fruitgui.simulation.depth_bench import ORANGE
 from fruitgui.simulation.device import Device
@@ -165,5 +165,6 @@ def show_info(device: Device, options: LineOptions) -> SensorInfo:
         device.serial,
         camera,
         options.rate_hz,
+        Projector.SWITCHED if options.settling_s > 0.0 else Projector.HARMLESS,
         color_lock=ColorLock.LOCKED,
     )

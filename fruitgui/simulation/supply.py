@@ -38,6 +38,8 @@ class LineOptions:
         touching: share of the pieces that touch another.
         restless: share of the pieces that rock, roll a little or slide.
         fruit: how many pieces come; None for ever.
+        settling_s: after which the slowest projector's light is steady. From then on projectors are switched, and where
+            two shine on one place they disturb each other; 0 for projectors that shine always and disturb nobody.
     """
 
     rig_seed: int = 1
@@ -52,6 +54,7 @@ class LineOptions:
     touching: float = 0.0
     restless: float = 0.35
     fruit: int | None = None
+    settling_s: float = 0.0
 
     def setting(self) -> Setting:
         """Return the rig in its place."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass, field
 from datetime import datetime
 from itertools import combinations
@@ -272,6 +273,20 @@ def _worth_keeping(
     return Projectors(settlings=settlings, interferences=interferences)
 
 
+def _hear_all(feed: Feed, cancelled: Cancelled) -> None:
+    """Wait until every sensor that is to be tried has given a picture: its first may be late for other reasons."""
+    lights = lights_of(feed.infos.values())
+    missing, since_s = set(lights), time.monotonic()
+    with closing(feed.subscribe(ROOM)) as queue:
+        while missing:
+            stop_if(cancelled)
+            arrival = queue.take(TAKE_S)
+            if arrival is not None:
+                missing.discard(arrival.frame.sensor)
+            if missing and _is_silent(since_s, feed.schedule.cycle_s):
+                raise _silence(min(missing))
+
+
 def try_devices(
     sensors: Sequence[Sensor], schedule: Schedule, when: datetime, progress: Progress, cancelled: Cancelled
 ) -> Tried:
@@ -285,6 +300,7 @@ def try_devices(
     feed = Feed(sensors, schedule)
     feed.start()
     try:
+        _hear_all(feed, cancelled)
         return try_projectors(feed, when, progress, cancelled)
     finally:
         feed.stop()

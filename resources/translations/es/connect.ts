@@ -406,6 +406,10 @@
         <translation>Dos sensores sobre una cinta rápida</translation>
     </message>
     <message>
+        <source>Two sensors whose projectors take turns</source>
+        <translation>Dos sensores cuyos proyectores se turnan</translation>
+    </message>
+    <message>
         <source>not there</source>
         <translation>no está</translation>
     </message>

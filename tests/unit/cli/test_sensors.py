@@ -15,12 +15,16 @@ import pytest
 
 from fruitgui.cli import main, projectors
 from fruitgui.sensors.usb.udev import rules_file
+from fruitgui.simulation.projector import projector_models
+from fruitgui.simulation.supply import LineOptions
 from fruitgui.station import projector_job
 from fruitgui.station.checkup import job
+from fruitgui.station.projector_job import try_devices
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.written import read_written
 from tests.unit.sensors.lit_room import LitRoom, LitSensor
 from tests.unit.sensors.made_system import made_system
+from tests.unit.simulation.true_light import TrueLight
 from tests.unit.station.made_drivers import MadeDriver, kinects
 
 
@@ -242,6 +246,37 @@ def test_projectors_are_measured_said_and_kept(
     text = printed(capsys, "sensors", "--projectors", "--line", tmp_path / "line")
     assert "kinect_1: steady after" in text
     assert "kinect_2 beside kinect_1: without depth 5.0 → 15.0 %" in text
+
+
+def test_projectors_of_a_simulated_rig_are_found_as_they_are(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    rig = LineOptions(rig_seed=2, layout="disconnected", sensors=3, rate_hz=20.0, settling_s=0.3)
+    monkeypatch.setattr(projectors, "PRESETS", {projectors.SIMULATED: rig})
+    for name, value in (("TRIALS", 3), ("VIEWS", 20), ("TOGETHER", 10)):
+        monkeypatch.setattr(projector_job, name, value)
+    light, found = TrueLight(monkeypatch), []
+    monkeypatch.setattr(projectors, "try_devices", lambda *given: found.append(try_devices(*given)) or found[0])
+    told = json.loads(printed(capsys, "sensors", "--json", "--projectors", "--simulated", "--line", tmp_path / "line"))
+    devices = rig.setting().devices
+    models = projector_models(2, [device.sensor for device in devices], 0.3)
+    for sensor, model in models.items():
+        light.check(sensor, model.settle_s, found[0].alone[sensor])
+        assert told["projectors"][sensor]["settle_s"] == found[0].alone[sensor].settle_s
+    assert {tuple(one["sensors"]): one["harm"] for one in told["pairs"]} == {
+        ("kinect_1", "kinect_2"): ["much", "much"],
+        ("kinect_1", "kinect_3"): ["none", "none"],
+        ("kinect_2", "kinect_3"): ["none", "none"],
+    }
+    kept = read_written(Path(told["kept"]), Projectors)
+    assert set(kept.settlings) == {device.serial for device in devices}
+    (pair,) = (one.serials for one in kept.interferences if one.disturbs)
+    assert set(pair) == {devices[0].serial, devices[1].serial}
+
+
+def test_simulated_alone_says_what_is_missing(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["sensors", "--simulated"]) == 2
+    assert "--projectors" in capsys.readouterr().err
 
 
 def test_without_sensors_there_are_no_projectors_to_measure(

@@ -31,6 +31,11 @@ def test_simulated(no_leaked_threads: None) -> None:  # noqa: ARG001
         walk(sensor)
 
 
+def test_simulated_with_projectors(no_leaked_threads: None) -> None:  # noqa: ARG001
+    for sensor in SimulatedRig(replace(RIG, settling_s=0.05), FlatOut()).sensors():
+        walk(sensor)
+
+
 def test_playback(tmp_path: Path, no_leaked_threads: None) -> None:  # noqa: ARG001
     (sensor,) = SimulatedRig(RIG, FlatOut()).sensors()
     sensor.open()

@@ -153,6 +153,18 @@ def test_it_runs_at_its_pace_and_shows_what_it_is_told_to() -> None:
     assert feed.stop() == ()
 
 
+def test_a_belt_stands_while_it_is_asked_to_and_what_else_is_shown_stays() -> None:
+    rig = SimulatedRig(OPTIONS)
+    with rig.standing():
+        assert rig.showing is Showing.PAUSED
+    assert rig.showing is Showing.LINE
+    rig.show(Showing.STILL)
+    with rig.standing():
+        assert rig.showing is Showing.STILL
+        rig.show(Showing.EMPTY)
+    assert rig.showing is Showing.EMPTY
+
+
 def test_a_renderer_that_dies_is_started_again() -> None:
     rig = SimulatedRig(OPTIONS, FlatOut())
     feed = Feed(rig.sensors())

@@ -92,6 +92,7 @@ def preset_name(source: Source) -> str:
         "ring": translate("Connect", "Four sensors in a ring"),
         "opposed_touching": translate("Connect", "Two sensors, fruit that touch, and other things"),
         "opposed_fast": translate("Connect", "Two sensors over a fast belt"),
+        "opposed_projectors": translate("Connect", "Two sensors whose projectors take turns"),
     }
     return names.get(source.name, source.name)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import nullcontext
 from datetime import UTC, datetime
 
 from PySide6.QtCore import QObject
@@ -47,8 +48,11 @@ class ProjectorDesk(QObject):
         if feed is None:
             return
 
+        rig = self._session.source.rig
+
         def measure(progress: Progress, cancelled: Cancelled) -> Tried:
-            return try_projectors(feed, datetime.now(UTC), progress, cancelled)
+            with nullcontext() if rig is None else rig.standing():
+                return try_projectors(feed, datetime.now(UTC), progress, cancelled)
 
         minutes = max(math.ceil(lasts_s(feed) / 60.0), 1)
         self.dialog = ProjectorsDialog(measure, minutes, self.plan, self._session.tasks, self._theme, self._page)
