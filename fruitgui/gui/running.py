@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
@@ -17,11 +17,12 @@ from fruitgui.gui.numbers import count_text
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.tasks import Job, Task, TaskRunner
+from fruitgui.gui.troubles import Troubles
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
-from fruitgui.station.live import LiveLine, LiveState, Preview
+from fruitgui.station.live import LiveLine, LiveState, LiveWarning, Preview
 from fruitgui.station.live.blind import Blind
 from fruitgui.station.noted import NotedSink
 
@@ -69,6 +70,7 @@ class Running(QObject):
         self._spells = Queries(self)
         self._spells.failed.connect(messages.error)
         self._noted: tuple[int, Blind | None] | None = None
+        self._troubles = Troubles(self._spells, store.spells)
         self.lot: Lot | None = None
         self.kinds: tuple[str, ...] = ()
         self.tally = Tally()
@@ -159,6 +161,7 @@ class Running(QObject):
         line, self._line = self._line, None
         self._tick.stop()
         self._note_spell(None)
+        self._note_troubles(())
         done = True if line is None else line.stop(CLOSE_S)
         return self._spells.finish() and done
 
@@ -180,6 +183,7 @@ class Running(QObject):
         self._line, self.lot, self.kinds = made.line, made.lot, made.kinds
         self._sink, self._aside = made.sink, made.aside
         self._noted = None
+        self._troubles = Troubles(self._spells, self._store.spells)
         self.tally = Tally.of(made.totals)
         self._tick.start()
         self._look()
@@ -222,6 +226,7 @@ class Running(QObject):
             self._state = self._line.state
             self._watch_rig(self._state)
             self._note_spell(None if self.paused else self._state.blind)
+            self._note_troubles(self._state.warnings)
         now_s = time.monotonic()
         for counted in () if self._sink is None else self._sink.drain():
             self.tally.count(counted.fruit, now_s)
@@ -242,6 +247,11 @@ class Running(QObject):
         if not (first and blind is None):
             self._spells.change(lambda: self._store.spells.note(lot.key, blind), lambda _: None)
 
+    def _note_troubles(self, warnings: Sequence[LiveWarning]) -> None:
+        """Let the lot remember when the rig was moved and clocks leapt, but not what happens in a pause."""
+        if self.lot is not None:
+            (self._troubles.rest if self.paused else self._troubles.note)(self.lot.key, warnings)
+
     def _sensors_changed(self) -> None:
         """Stop the line when its sensors are taken away; the lot stays open."""
         line, lot = self._line, self.lot
@@ -250,6 +260,7 @@ class Running(QObject):
         self._line = None
         self._tick.stop()
         self._note_spell(None)
+        self._note_troubles(())
 
         def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - it ends within seconds
             line.stop()

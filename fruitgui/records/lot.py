@@ -10,7 +10,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from fruitgui.errors import InputError
-from fruitgui.records.spells import Spell, spells_of
+from fruitgui.records.spells import Spell, Trouble, spells_of, troubles_of
 from fruitgui.records.tables import LotRow, PauseRow
 
 ASKED = "asked"
@@ -68,6 +68,7 @@ class Lot:
         started_s, ended_s: Unix seconds; open where there is no end.
         pauses: in order.
         spells: in which sensors were away, in order.
+        troubles: what else left it in doubt, in order.
     """
 
     key: int
@@ -84,6 +85,7 @@ class Lot:
     ended_s: float | None
     pauses: tuple[Pause, ...]
     spells: tuple[Spell, ...] = ()
+    troubles: tuple[Trouble, ...] = ()
 
     @property
     def paused(self) -> bool:
@@ -112,7 +114,8 @@ def lot_row(session: Session, lot: int) -> LotRow:
 def lots_of(session: Session, rows: Sequence[LotRow]) -> list[Lot]:
     """Return rows as lots, with their pauses and spells."""
     session.flush()
-    spells = spells_of(session, [row.id for row in rows])
+    keys = [row.id for row in rows]
+    spells, troubles = spells_of(session, keys), troubles_of(session, keys)
     pauses: dict[int, list[Pause]] = {row.id: [] for row in rows}
     found = select(PauseRow).where(PauseRow.lot_id.in_(pauses)).order_by(PauseRow.from_s, PauseRow.id)
     for pause in session.scalars(found):
@@ -121,7 +124,7 @@ def lots_of(session: Session, rows: Sequence[LotRow]) -> list[Lot]:
         Lot(
             row.id, row.name, row.grower, row.recipe, row.note, row.reference_sensor, row.station_sha256, row.model,
             row.size_bands, tuple(row.outlets), row.started_s, row.ended_s, tuple(pauses[row.id]),
-            tuple(spells[row.id]),
+            tuple(spells[row.id]), tuple(troubles[row.id]),
         )
         for row in rows
     ]  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+import time
 from collections.abc import Iterable
 from datetime import UTC, datetime
 from pathlib import Path
@@ -22,18 +23,26 @@ HEADER = (
     "volume_ml", "volume_std_ml", "mass_g", "mass_std_g", "length_mm", "length_std_mm",
     "diameter_mm", "diameter_std_mm", "perimeter_mm", "perimeter_std_mm",
     "views", "coverage", "recipe", "size_band", "outlet", "counted_at_utc", "first_seen_s", "last_seen_s",
+    "sensors_away", "lot_unseen_s",
 )  # fmt: skip
 """`kind` is what holds, `machine_kind` what the machine said (empty where a person added the fruit); `counted` is 1 or
 0 (left out by a person); what was not measured is empty; `_std_` is one standard deviation; `size_band` and
-`outlet` are empty where a lot sorts nothing; `first_seen_s` and `last_seen_s` are in the reference sensor's clock."""
+`outlet` are empty where a lot sorts nothing; `first_seen_s` and `last_seen_s` are in the reference sensor's clock;
+`sensors_away` names those that gave nothing while the fruit passed, up to when it was counted; `lot_unseen_s` is for
+how long fruit of this lot may have passed unseen."""
 
 TOLD_EVERY = 2_000
 
 
 def write_lot(
-    store: Store, lot: int, path: Path, progress: Progress = no_progress, cancelled: Cancelled = never_cancelled
+    store: Store,
+    lot: int,
+    path: Path,
+    progress: Progress = no_progress,
+    cancelled: Cancelled = never_cancelled,
+    now_s: float | None = None,
 ) -> int:
-    """Write a lot, whole or not at all; return the number of fruit.
+    """Write a lot, whole or not at all; return the number of fruit. `now_s`: time of day, Unix seconds.
 
     Raises:
         InputError: there is no such lot.
@@ -41,13 +50,14 @@ def write_lot(
         CancelledByUserError: a person stopped it; no file is left.
     """
     of = store.lots.get(lot)
+    unseen_s = _unseen_s(of, time.time() if now_s is None else now_s)
     found = sum(store.fruit.find(FruitQuery(lot, which=which, count=0)).found for which in ("counted", "left_out"))
     written = 0
     with written_whole(path) as beside, beside.open("w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out)
         writer.writerow(HEADER)
         for fruit in store.fruit.walk(lot):
-            writer.writerow(_row(of, fruit))
+            writer.writerow([*_row(of, fruit), " ".join(_away(of, fruit)), _digits(unseen_s, 1)])
             written += 1
             if written % TOLD_EVERY == 0:
                 stop_if(cancelled)
@@ -64,6 +74,20 @@ def _row(lot: Lot, fruit: FruitRecord) -> Iterable[object]:
         datetime.fromtimestamp(fruit.counted_s, UTC).isoformat(timespec="milliseconds"),
         fruit.first_seen_s, fruit.last_seen_s,
     )  # fmt: skip
+
+
+def _unseen_s(lot: Lot, now_s: float) -> float:
+    """Return for how long sensors were away so that fruit can have passed where nobody saw them."""
+    return sum(spell.lasted_s(now_s) for spell in lot.spells if spell.blind.loses_fruit)
+
+
+def _away(lot: Lot, fruit: FruitRecord) -> list[str]:
+    """Return the sensors that were away at any time from when a fruit came into view until it was counted."""
+    if fruit.first_seen_s is None or fruit.last_seen_s is None:
+        return []  # a person added it, whenever it passed
+    came_s = fruit.counted_s - max(fruit.last_seen_s - fruit.first_seen_s, 0.0)
+    passing = (one for one in lot.spells if one.from_s <= fruit.counted_s and (one.to_s is None or one.to_s >= came_s))
+    return sorted({sensor for one in passing for sensor in one.blind.sensors})
 
 
 def _quantity(quantity: Quantity | None, factor: float) -> tuple[str, str]:

@@ -84,7 +84,7 @@ class Lots:
             WorldError: that cannot be kept.
         """
         lot = self.open_lot()
-        if lot is None or all(spell.to_s is not None for spell in lot.spells):
+        if lot is None or None not in [*(one.to_s for one in lot.spells), *(one.to_s for one in lot.troubles)]:
             return lot
         with self._database.writing() as session:
             row = lot_row(session, lot.key)

@@ -32,7 +32,7 @@ class Schema:
     version: str
 
 
-RECORDS = Schema("records.sqlite", SCRIPTS / "records", "0004")
+RECORDS = Schema("records.sqlite", SCRIPTS / "records", "0005")
 PICTURES = Schema("pictures.sqlite", SCRIPTS / "pictures", "0001")
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from typing import Literal, cast
 
 from sqlalchemy import select
 from sqlalchemy.orm import Session
@@ -12,6 +13,27 @@ from sqlalchemy.orm import Session
 from fruitgui.records.database import Database
 from fruitgui.records.tables import LotRow, SpellRow
 from fruitgui.station.live.blind import Blind
+
+TroubleSort = Literal["moved", "clock_jumped"]
+"""`moved`: sensors do not stand as they were calibrated. `clock_jumped`: their clocks leapt, at one moment."""
+
+AWAY = "away"
+
+
+@dataclass(frozen=True, slots=True)
+class Trouble:
+    """A time in which something other than an absence left a lot in doubt.
+
+    Attributes:
+        sort: what it was.
+        from_s, to_s: Unix seconds; it goes on where there is no end, and has none of its own where both are one.
+        sensors: their names.
+    """
+
+    sort: TroubleSort
+    from_s: float
+    to_s: float | None
+    sensors: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,11 +70,10 @@ class Spells:
             WorldError: it cannot be kept.
         """
         with self._database.writing() as session:
-            row = session.get(LotRow, lot)
-            if row is None or row.ended_s is not None:
+            if not _runs(session, lot):
                 return
             now_s = self._now_s()
-            before = list(session.scalars(select(SpellRow).where(SpellRow.lot_id == lot, SpellRow.to_s.is_(None))))
+            before = _going_on(session, lot, AWAY)
             if len(before) == 1 and blind is not None and _spell(before[0]).blind == blind:
                 return
             _end(before, now_s)
@@ -63,6 +84,32 @@ class Spells:
                     width_m=blind.width_m, share=blind.share,
                 ))  # fmt: skip
 
+    def note_moved(self, lot: int, sensors: tuple[str, ...]) -> None:
+        """Note which sensors do not stand as they were calibrated, from now on; none: all do, or nothing is counted.
+
+        Raises:
+            WorldError: it cannot be kept.
+        """
+        with self._database.writing() as session:
+            before = _going_on(session, lot, "moved")
+            if not _runs(session, lot) or [tuple(row.sensors) for row in before] == [sensors]:
+                return
+            now_s = self._now_s()
+            _end(before, now_s)
+            if sensors:
+                session.add(_trouble_row(lot, "moved", sensors, now_s, None))
+
+    def note_jump(self, lot: int, sensors: tuple[str, ...]) -> None:
+        """Note that clocks of sensors leapt now.
+
+        Raises:
+            WorldError: it cannot be kept.
+        """
+        with self._database.writing() as session:
+            if _runs(session, lot):
+                now_s = self._now_s()
+                session.add(_trouble_row(lot, "clock_jumped", sensors, now_s, now_s))
+
 
 def end_spells(session: Session, lot: int, at_s: float) -> None:
     """End what goes on in a lot: the line does not run on."""
@@ -72,10 +119,41 @@ def end_spells(session: Session, lot: int, at_s: float) -> None:
 def spells_of(session: Session, lots: Iterable[int]) -> dict[int, list[Spell]]:
     """Return the spells of lots, by their keys, in order."""
     found: dict[int, list[Spell]] = {lot: [] for lot in lots}
-    rows = select(SpellRow).where(SpellRow.lot_id.in_(found)).order_by(SpellRow.from_s, SpellRow.id)
-    for row in session.scalars(rows):
-        found[row.lot_id].append(_spell(row))
+    for row in _rows(session, found):
+        if row.sort == AWAY:
+            found[row.lot_id].append(_spell(row))
     return found
+
+
+def troubles_of(session: Session, lots: Iterable[int]) -> dict[int, list[Trouble]]:
+    """Return what else left lots in doubt, by their keys, in order."""
+    found: dict[int, list[Trouble]] = {lot: [] for lot in lots}
+    for row in _rows(session, found):
+        if row.sort != AWAY:
+            sort = cast("TroubleSort", row.sort)
+            found[row.lot_id].append(Trouble(sort, row.from_s, row.to_s, tuple(map(str, row.sensors))))
+    return found
+
+
+def _rows(session: Session, lots: Mapping[int, object]) -> Iterable[SpellRow]:
+    wanted = select(SpellRow).where(SpellRow.lot_id.in_(lots))
+    return session.scalars(wanted.order_by(SpellRow.from_s, SpellRow.id))
+
+
+def _runs(session: Session, lot: int) -> bool:
+    row = session.get(LotRow, lot)
+    return row is not None and row.ended_s is None
+
+
+def _going_on(session: Session, lot: int, sort: str) -> list[SpellRow]:
+    wanted = select(SpellRow).where(SpellRow.lot_id == lot, SpellRow.sort == sort, SpellRow.to_s.is_(None))
+    return list(session.scalars(wanted))
+
+
+def _trouble_row(lot: int, sort: TroubleSort, sensors: tuple[str, ...], from_s: float, to_s: float | None) -> SpellRow:
+    return SpellRow(
+        lot_id=lot, from_s=from_s, to_s=to_s, sensors=list(sensors), lanes_m=None, width_m=None, share=0.0, sort=sort
+    )
 
 
 def _end(rows: Iterable[SpellRow], at_s: float) -> None:

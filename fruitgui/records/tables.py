@@ -67,7 +67,7 @@ class PauseRow(Base):
 
 
 class SpellRow(Base):
-    """A time in which sensors were away while a lot ran, and what of the belt nobody saw."""
+    """A time in which sensors were away while a lot ran, and what of the belt nobody saw; or other trouble (`sort`)."""
 
     __tablename__ = "spell"
 
@@ -79,6 +79,7 @@ class SpellRow(Base):
     lanes_m: Mapped[list[Any] | None] = mapped_column(JSON(none_as_null=True))
     width_m: Mapped[float | None]
     share: Mapped[float]
+    sort: Mapped[str] = mapped_column(server_default=text("'away'"))
 
 
 class FruitRow(Base):

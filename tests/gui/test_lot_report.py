@@ -86,6 +86,17 @@ def test_the_report_says_when_not_all_of_the_belt_was_seen(
     assert "kinect_2 away" in words
 
 
+def test_the_report_says_when_the_rig_was_moved(store: Store, clock: Clock, tmp_path: Path, said: list[str]) -> None:
+    lot = store.lots.start(LotPlan("1184")).key
+    store.spells.note_moved(lot, ("kinect_2",))
+    store.lots.end(lot)
+    write_report(store, lot, tmp_path / "a.pdf", clock.now_s)
+    words = " ".join(said)
+    assert "In doubt" in words
+    assert "(kinect_2): sizes and counts may be wrong" in words
+    assert "Not seen" not in words
+
+
 def test_every_page_is_a4(store: Store, clock: Clock, tmp_path: Path) -> None:
     lot = run(store, clock, "1184", "", 3)
     write_report(store, lot, tmp_path / "a.pdf", clock.now_s)

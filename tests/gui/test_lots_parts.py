@@ -14,7 +14,15 @@ import pytest
 from fruitgui.geometry.plane import Plane, Surface
 from fruitgui.geometry.pose import Pose
 from fruitgui.gui.kind_words import kind_name, kinds_in_order
-from fruitgui.gui.steps.lots.figures import kind_rows, read_figures, spans, spell_texts, times_text, unseen_text
+from fruitgui.gui.steps.lots.figures import (
+    kind_rows,
+    read_figures,
+    spans,
+    spell_texts,
+    times_text,
+    trouble_text,
+    unseen_text,
+)
 from fruitgui.gui.steps.lots.fruit_facts import facts, machine_text, person_text, said_lines
 from fruitgui.gui.steps.lots.fruit_pictures import way
 from fruitgui.gui.steps.lots.fruit_rows import Column, Show, Wanted, cell_text, correction_text
@@ -24,13 +32,13 @@ from fruitgui.gui.steps.lots.lot_entry import LotState, Period, bounds_s, lot_en
 from fruitgui.gui.steps.lots.paged import Pages
 from fruitgui.gui.steps.lots.spreads import columns_for
 from fruitgui.gui.steps.lots.words import litres_text, quantity_text
-from fruitgui.gui.times import duration_text
+from fruitgui.gui.times import duration_text, second_text
 from fruitgui.gui.view_pictures import view_pictures
 from fruitgui.measurement.fruit import Quantity
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot, LotPlan, Pause
 from fruitgui.records.lot_search import LotQuery
-from fruitgui.records.spells import Spell
+from fruitgui.records.spells import Spell, Trouble
 from fruitgui.records.store import Store, open_store
 from fruitgui.station.live.blind import Blind
 from fruitgui.station.station import Station, StationSensor
@@ -118,6 +126,17 @@ def test_what_was_not_seen_is_said_with_how_long_and_who_was_away() -> None:
     assert [lasted.replace("\u2009", " ") for _, lasted, _ in told] == ["37 s", "5 min"], "the longest, in order"
     assert "kinect_2 away: no sensor sees the left part" in told[0][2]
     assert unseen_text(_lot(), 2010.0) == ""
+
+
+def test_a_moved_rig_and_clocks_that_leapt_are_said_with_who_it_was() -> None:
+    moved = Trouble("moved", 1100.0, None, ("kinect_2",))
+    leaps = [Trouble("clock_jumped", at_s, at_s, ("kinect_1",)) for at_s in (1200.0, 1300.0)]
+    text = trouble_text(_lot(troubles=(moved, *leaps)))
+    assert text == (
+        f"Moved since calibrated, from {second_text(1100.0)} on (kinect_2): sizes and counts may be wrong. "
+        "Clocks leapt 2× (kinect_1): fruit of that moment may be missing or twice"
+    )
+    assert trouble_text(_lot()) == ""
 
 
 def test_a_lot_is_running_paused_left_open_or_ended() -> None:

@@ -68,7 +68,7 @@ class Reader:
         self._newest: Frame | None = None
         self._state = Running.STOPPED
         self._error: FruitguiError | None = None
-        self._tried = self._opened = 0
+        self._tried = self._started = 0
         self._abandoned = False
         self._stop = threading.Event()
         self._again = threading.Event()
@@ -153,10 +153,10 @@ class Reader:
             self._tried += 1
             self._sensor.open()
             opened = True
-            self._opened += 1
             self.info = self._sensor.info
             self._seat.prepare()
             self._sensor.start()
+            self._started += 1
             self._seat.sit()
             self._read()
         except EndOfStreamError:
@@ -221,7 +221,7 @@ class Reader:
 
     def _most_silence_s(self, heard: bool) -> float:
         if self._takes_turns and self._keeper.schedule.alternates(self.name):
-            return LATER_TURNS_S if heard or self._opened > 1 else FIRST_TURNS_S
+            return LATER_TURNS_S if heard or self._started > 1 else FIRST_TURNS_S
         return REOPEN_AFTER_S if heard else FIRST_FRAME_S
 
     def _close(self) -> None:

@@ -452,6 +452,10 @@
         <translation>{count} frutas no son de ningún tipo enseñado a la máquina; cuentan como desconocidas.</translation>
     </message>
     <message>
+        <source>In doubt</source>
+        <translation>En duda</translation>
+    </message>
+    <message>
         <source>Not seen</source>
         <translation>Lo que no se vio</translation>
     </message>
@@ -564,6 +568,14 @@
     <message>
         <source>for {time} ({count}×, {sensors}) sizes are less sure</source>
         <translation>durante {time} ({count}×, {sensors}) los tamaños son menos seguros</translation>
+    </message>
+    <message>
+        <source>Moved since calibrated, from {time} on ({sensors}): sizes and counts may be wrong</source>
+        <translation>Movido desde la calibración, a partir de las {time} ({sensors}): tamaños y recuentos pueden estar mal</translation>
+    </message>
+    <message>
+        <source>Clocks leapt {count}× ({sensors}): fruit of that moment may be missing or twice</source>
+        <translation>Saltaron relojes {count}× ({sensors}): puede faltar fruta de ese momento o estar dos veces</translation>
     </message>
     <message>
         <source>recipe {recipe}</source>

@@ -24,6 +24,7 @@ from fruitgui.records.lot_csv import HEADER, write_lot
 from fruitgui.records.lot_report import report_lot
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.store import Store, open_store
+from fruitgui.station.live.blind import Blind
 from tests.unit.records.conftest import Clock
 from tests.unit.station.fruit_made import KINDS, made_crops, made_fruit
 
@@ -202,6 +203,41 @@ def test_a_lot_as_csv_has_units_and_what_was_left_out(store: Store, lot: Lot, tm
     assert float(rows[2]["volume_ml"]) == pytest.approx(made_fruit(2).volume_m3.value * 1e6, rel=1e-5)
     assert rows[2]["counted_at_utc"] == "2027-01-15T08:00:00.000+00:00"
     assert rows[5]["volume_ml"] == rows[5]["machine_kind"] == ""
+
+
+def test_a_lot_as_csv_says_which_sensors_were_away_for_which_fruit_and_for_how_long_fruit_may_be_missing(
+    store: Store, lot: Lot, clock: Clock, tmp_path: Path
+) -> None:
+    def one_passes(number: int) -> None:
+        clock.now_s += 60.0
+        _fill(store, lot, range(number, number + 1))
+
+    one_passes(0)
+    clock.now_s += 60.0
+    store.spells.note(lot.key, Blind(("kinect_2",), ((0.4, 0.6),), 0.6, 0.3))
+    one_passes(1)
+    clock.now_s += 30.0
+    store.spells.note(lot.key, Blind(("kinect_1",), (), 0.6, 0.0))
+    one_passes(2)
+    clock.now_s += 0.5 * _in_view_s(3)
+    store.spells.note(lot.key, None)
+    clock.now_s += 0.25 * _in_view_s(3)
+    _fill(store, lot, range(3, 4))
+    one_passes(4)
+    store.corrections.add(lot.key, "lemon")
+    clock.now_s += 1.0
+    store.spells.note(lot.key, Blind(("kinect_1", "kinect_2"), None, None, 1.0))
+    clock.now_s += 5.0
+    path = tmp_path / "lot.csv"
+    assert write_lot(store, lot.key, path, now_s=clock.now_s) == 6
+    rows = list(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
+    assert [row["sensors_away"] for row in rows] == ["", "kinect_2", "kinect_1", "kinect_1", "", ""]
+    assert {row["lot_unseen_s"] for row in rows} == {"95"}
+
+
+def _in_view_s(number: int) -> float:
+    fruit = made_fruit(number)
+    return fruit.last_seen_s - fruit.first_seen_s
 
 
 def test_an_export_that_was_stopped_leaves_no_file(store: Store, lot: Lot, tmp_path: Path) -> None:

@@ -43,6 +43,40 @@ def test_a_spell_lasts_from_when_a_sensor_is_missed_until_it_is_back(store: Stor
     store.spells.note(77, LESS)
 
 
+def test_a_moved_rig_and_clocks_that_leapt_are_kept_apart_from_absences(store: Store, clock: Clock) -> None:
+    lot = store.lots.start(LotPlan("1")).key
+    began_s = clock.now_s
+    store.spells.note(lot, LEFT)
+    clock.now_s += 10.0
+    store.spells.note_moved(lot, ("kinect_1",))
+    clock.now_s += 10.0
+    store.spells.note_jump(lot, ("kinect_2",))
+    store.spells.note_moved(lot, ("kinect_1",))  # said again: nothing new
+    store.spells.note(lot, None)
+    clock.now_s += 10.0
+    store.spells.note_moved(lot, ("kinect_1", "kinect_2"))
+    clock.now_s += 10.0
+    ended = store.lots.end(lot)
+    assert [(one.blind, one.to_s) for one in ended.spells] == [(LEFT, began_s + 20.0)]
+    assert [(one.sort, one.from_s - began_s, (one.to_s or 0.0) - began_s, one.sensors) for one in ended.troubles] == [
+        ("moved", 10.0, 30.0, ("kinect_1",)),
+        ("clock_jumped", 20.0, 20.0, ("kinect_2",)),
+        ("moved", 30.0, 40.0, ("kinect_1", "kinect_2")),
+    ]
+    store.spells.note_moved(lot, ())
+    store.spells.note_jump(lot, ("kinect_2",))
+    assert len(store.lots.get(lot).troubles) == 3, "an ended lot is told nothing"
+
+
+def test_of_a_lot_that_was_left_open_a_moved_rig_does_not_go_on(store: Store, clock: Clock) -> None:
+    lot = store.lots.start(LotPlan("1")).key
+    store.spells.note_moved(lot, ("kinect_1",))
+    clock.now_s += 3600.0
+    left_open = store.lots.left_open()
+    assert left_open is not None
+    assert [one.to_s for one in left_open.troubles] == [left_open.started_s]
+
+
 def test_a_clock_that_was_set_back_ends_no_spell_before_it_began(store: Store, clock: Clock) -> None:
     lot = store.lots.start(LotPlan("1")).key
     store.spells.note(lot, LEFT)

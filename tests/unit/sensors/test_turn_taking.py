@@ -317,18 +317,26 @@ def test_a_rehearsal_hears_everything_and_nobody_else_does() -> None:
     assert max(holes(one.frame.depth_mm) for one in seen if one.lit.frames == 0) > 0.4
 
 
-def test_one_whose_first_opening_failed_has_the_same_patience_for_its_first_frame() -> None:
+@pytest.mark.parametrize("call", ["open", "start"])
+def test_one_whose_first_opening_failed_has_the_same_patience_for_its_first_frame(call: str) -> None:
     room = LitRoom()
 
     class Late(LitSensor):
-        """Cannot be opened at first, and then gives nothing for longer than one that was heard before may."""
+        """Fails at first, and then gives nothing for longer than one that was heard before may."""
 
         silent_until_s = 0.0
         failed = False
 
         def open(self) -> None:
             super().open()
-            if not self.failed:
+            self.fail_once("open")
+
+        def start(self) -> None:
+            super().start()
+            self.fail_once("start")
+
+        def fail_once(self, now: str) -> None:
+            if now == call and not self.failed:
                 self.failed = True
                 raise WorldError("in_use", "The device is in use.", "Close the other program.")
 

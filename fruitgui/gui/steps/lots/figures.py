@@ -17,7 +17,7 @@ from fruitgui.measurement.fruit import Quantity
 from fruitgui.measurement.sums import SharedSum
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot
-from fruitgui.records.spells import Spell
+from fruitgui.records.spells import Spell, Trouble
 from fruitgui.records.store import Store
 from fruitgui.records.totals import KindTotal
 
@@ -167,6 +167,24 @@ def unseen_text(lot: Lot, now_s: float) -> str:
         parts.append(_lasted(text, less, now_s))
     text = "; ".join(parts)
     return text[:1].upper() + text[1:]
+
+
+def trouble_text(lot: Lot) -> str:
+    """Return what else left a lot in doubt: sensors that were moved, clocks that leapt; empty where nothing did."""
+    moved = [one for one in lot.troubles if one.sort == "moved"]
+    leapt = [one for one in lot.troubles if one.sort == "clock_jumped"]
+    parts = []
+    if moved:
+        text = translate("Lots", "Moved since calibrated, from {time} on ({sensors}): sizes and counts may be wrong")
+        parts.append(text.format(time=second_text(moved[0].from_s), sensors=_names(moved)))
+    if leapt:
+        text = translate("Lots", "Clocks leapt {count}× ({sensors}): fruit of that moment may be missing or twice")
+        parts.append(text.format(count=count_text(len(leapt)), sensors=_names(leapt)))
+    return ". ".join(parts)
+
+
+def _names(troubles: Sequence[Trouble]) -> str:
+    return ", ".join(sorted({sensor for one in troubles for sensor in one.sensors}))
 
 
 def spell_texts(lot: Lot, now_s: float, most: int) -> list[tuple[str, str, str]]:

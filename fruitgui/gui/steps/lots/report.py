@@ -10,7 +10,7 @@ from PySide6.QtCore import QCoreApplication, QRectF
 from fruitgui.files import written_whole
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import count_text, shares_text
-from fruitgui.gui.steps.lots.figures import model_name, of_text, spans, spell_texts, unseen_text
+from fruitgui.gui.steps.lots.figures import model_name, of_text, spans, spell_texts, trouble_text, unseen_text
 from fruitgui.gui.steps.lots.report_spreads import section, write_spreads
 from fruitgui.gui.steps.lots.sheet import BODY, BODY_DIM, DIM, SMALL, STRONG, TITLE, Sheet
 from fruitgui.gui.steps.lots.words import NONE, kilograms_text, litres_text, measure_text
@@ -162,6 +162,11 @@ def _write_corrections(sheet: Sheet, report: LotReport, unknown: int, corrected:
 def _write_unseen(sheet: Sheet, report: LotReport) -> None:
     """Write when not all of the belt was seen: who is handed a count is told what it may lack."""
     lot = report.lot
+    trouble = trouble_text(lot)
+    if trouble:
+        section(sheet, translate("LotReport", "In doubt"))
+        sheet.words(f"{trouble}.")
+        sheet.skip(12)
     if not lot.spells:
         return
     section(sheet, translate("LotReport", "Not seen"))

@@ -20,6 +20,7 @@ from fruitgui.gui.steps.lots.figures import (
     spans,
     spell_texts,
     times_text,
+    trouble_text,
     unseen_text,
 )
 from fruitgui.gui.steps.lots.spreads import Spreads
@@ -278,8 +279,9 @@ class Summary(QScrollArea):
             of_text(figures.weighed, figures.fruit) if figures.weighed else self.tr("no density is known"),
         )  # fmt: skip
         self.when.setText(times_text(figures.lot, figures.now_s))
-        self.unseen.setText(unseen_text(figures.lot, figures.now_s))
-        self.unseen.setVisible(bool(figures.lot.spells))
+        doubts = [text for text in (unseen_text(figures.lot, figures.now_s), trouble_text(figures.lot)) if text]
+        self.unseen.setText(". ".join(doubts))
+        self.unseen.setVisible(bool(doubts))
         told = spell_texts(figures.lot, figures.now_s, MOST_TOLD)
         self.unseen.setToolTip("\n".join(f"{when}, {lasted}: {what}" for when, lasted, what in told))
         note = self.tr(

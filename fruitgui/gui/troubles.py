@@ -1,0 +1,52 @@
+"""What a lot remembers beside absences: a rig that was moved, clocks that leapt."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from functools import partial
+
+from fruitgui.gui.queries import Queries
+from fruitgui.records.spells import Spells
+from fruitgui.station.live import LiveWarning
+
+
+class Troubles:
+    """Writes down what the line's warnings say anew.
+
+    Args:
+        queries: write beside the window.
+        spells: keep them.
+    """
+
+    def __init__(self, queries: Queries, spells: Spells) -> None:
+        self._queries = queries
+        self._spells = spells
+        self._moved: dict[int, tuple[str, ...]] = {}
+        self._leaps: Counter[tuple[str, ...]] = Counter()
+
+    def note(self, lot: int, warnings: Sequence[LiveWarning]) -> None:
+        """Note what is new in the warnings of a line that counts into a lot."""
+        stale = {name for one in warnings if one.code == "calibration_stale" for name in one.sensors}
+        self._note_moved(lot, tuple(sorted(stale)))
+        for sensors in self._leapt(warnings).elements():
+            self._queries.change(partial(self._spells.note_jump, lot, sensors), _nothing)
+
+    def rest(self, lot: int, warnings: Sequence[LiveWarning]) -> None:
+        """Note that nothing is counted into a lot now: what happens meanwhile is nothing to it."""
+        self._note_moved(lot, ())
+        self._leapt(warnings)
+
+    def _note_moved(self, lot: int, sensors: tuple[str, ...]) -> None:
+        if sensors != self._moved.get(lot, ()):
+            self._moved = {lot: sensors}
+            self._queries.change(partial(self._spells.note_moved, lot, sensors), _nothing)
+
+    def _leapt(self, warnings: Sequence[LiveWarning]) -> Counter[tuple[str, ...]]:
+        """Return whose clocks leapt how often since this was asked last."""
+        before, self._leaps = self._leaps, Counter({w.sensors: w.count for w in warnings if w.code == "clock_jumped"})
+        return self._leaps - before
+
+
+def _nothing(_done: None) -> None:
+    """Nobody waits for it."""

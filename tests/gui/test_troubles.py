@@ -1,0 +1,48 @@
+"""What a lot remembers of the line's warnings: each once, and nothing of a pause."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from fruitgui.gui.queries import Queries
+from fruitgui.gui.troubles import Troubles
+from fruitgui.records.lot import LotPlan
+from fruitgui.records.store import Store, open_store
+from fruitgui.station.live import LiveWarning
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Iterator[Store]:
+    with open_store(tmp_path) as opened:
+        yield opened
+
+
+def _leapt(count: int) -> LiveWarning:
+    return LiveWarning("clock_jumped", "", ("kinect_1",), count)
+
+
+MOVED = LiveWarning("calibration_stale", "", ("kinect_2",))
+
+
+def test_each_is_noted_once_and_nothing_of_a_pause(qtbot: QtBot, store: Store) -> None:  # noqa: ARG001 - Qt runs
+    lot = store.lots.start(LotPlan("1")).key
+    queries = Queries()
+    troubles = Troubles(queries, store.spells)
+    for warnings in ([], [_leapt(1)], [_leapt(1)], [_leapt(2), MOVED], [_leapt(2), MOVED]):
+        troubles.note(lot, warnings)
+    for warnings in ([_leapt(2), MOVED], [_leapt(5), MOVED]):
+        troubles.rest(lot, warnings)
+    troubles.note(lot, [_leapt(5), MOVED])
+    assert queries.finish()
+    found = store.lots.get(lot).troubles
+    assert sorted((one.sort, one.sensors) for one in found) == [
+        ("clock_jumped", ("kinect_1",)),
+        ("clock_jumped", ("kinect_1",)),
+        ("moved", ("kinect_2",)),
+        ("moved", ("kinect_2",)),
+    ]
+    assert [one.to_s is None for one in found if one.sort == "moved"] == [False, True], "the pause is no part of it"
