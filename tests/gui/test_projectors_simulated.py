@@ -70,8 +70,14 @@ def test_what_is_true_of_a_simulated_rig_is_found_kept_and_gone_by(
     qtbot.mouseClick(dialog.begin, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: dialog.working.share > 0.0, timeout=LONG_MS)
     assert rig.showing is Showing.PAUSED, "the belt stands meanwhile"
+    qtbot.waitUntil(lambda: "being measured" in page.hint, timeout=LONG_MS)
+    assert {(view.condition.word, view.condition.health, view.rate) for view in page.views()} == {
+        ("being measured", "", "–")
+    }
+    assert not page.calibrate_action.isEnabled()
     qtbot.waitUntil(lambda: not dialog.busy, timeout=LONG_MS)
     assert rig.showing is Showing.LINE
+    qtbot.waitUntil(lambda: "being measured" not in page.hint, timeout=LONG_MS)
     tried = dialog.tried
     assert tried is not None, dialog._note.text()
     assert set(tried.alone) == set(rig.beams.models)

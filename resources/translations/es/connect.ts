@@ -450,6 +450,10 @@
         <translation>partiendo</translation>
     </message>
     <message>
+        <source>being measured</source>
+        <translation>se mide</translation>
+    </message>
+    <message>
         <source>The projector of {sensors} may be on out of its turn, as it does not answer.</source>
         <translation>El proyector de {sensors} puede estar encendido fuera de su turno, porque no responde.</translation>
     </message>
@@ -659,6 +663,10 @@
     <message>
         <source>The sensors are being recorded. They can be changed when the recording has ended.</source>
         <translation>Los sensores se están grabando. Se pueden cambiar cuando termine la grabación.</translation>
+    </message>
+    <message>
+        <source>The projectors are being measured; pictures come and go meanwhile.</source>
+        <translation>Se miden los proyectores; mientras tanto las imágenes van y vienen.</translation>
     </message>
     <message>
         <source>{running} of {count} sensors run. Look after the others, or leave them out.</source>

@@ -15,7 +15,7 @@ from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
 from fruitgui.gui.steps.connect.chooser import SourceChooser
 from fruitgui.gui.steps.connect.depth.wizard import DepthWizard
 from fruitgui.gui.steps.connect.details import SensorDetails
-from fruitgui.gui.steps.connect.presenter import SensorView, sensor_views, summary, with_steadiness
+from fruitgui.gui.steps.connect.presenter import SensorView, sensor_views, summary, while_tried, with_steadiness
 from fruitgui.gui.steps.connect.projectors.desk import ProjectorDesk
 from fruitgui.gui.steps.connect.record_desk import RecordDesk
 from fruitgui.gui.steps.connect.tiles import SensorTiles
@@ -164,7 +164,8 @@ class ConnectPage(StepPage):
         connection, opening = self._session.connection, self._session.source.opening
         kind = "" if connection is None else str(connection.source.get("kind", ""))
         views = sensor_views(connection, infos, connected.health, opening=opening)
-        return with_steadiness(views, kind, self._session.steadiness.of, self._session.depths)
+        views = with_steadiness(views, kind, self._session.steadiness.of, self._session.depths)
+        return while_tried(views, connected.health) if self.projectors.trying else views
 
     def _show(self) -> None:
         choosing = self._choosing or self._session.connection is None
@@ -234,6 +235,8 @@ class ConnectPage(StepPage):
             return self.tr("The line runs. Sensors can be changed when its lot has ended.")
         if self.recording.recording:
             return self.tr("The sensors are being recorded. They can be changed when the recording has ended.")
+        if self.projectors.trying:
+            return self.tr("The projectors are being measured; pictures come and go meanwhile.")
         if running < count:
             text = self.tr("{running} of {count} sensors run. Look after the others, or leave them out.")
             return text.format(running=running, count=count)

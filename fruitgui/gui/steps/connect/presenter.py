@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from fruitgui.gui.steps.connect.steady_words import correction_text, light, warmth
-from fruitgui.gui.steps.connect.words import Condition, colour_lock, condition, lost_text, rate_text
+from fruitgui.gui.steps.connect.words import Condition, being_tried, colour_lock, condition, lost_text, rate_text
 from fruitgui.sensors.feed import Feed, Running, SensorHealth
 from fruitgui.sensors.sensor import ColorLock, SensorInfo
 from fruitgui.station.connection import ConnectedSensor, Connection
@@ -95,6 +95,12 @@ def with_steadiness(
         )
         for view in views
     )
+
+
+def while_tried(views: tuple[SensorView, ...], health: Mapping[str, SensorHealth]) -> tuple[SensorView, ...]:
+    """Return sensors whose projectors are being tried: to be silent is no fault then, to be gone is."""
+    well = {name for name, one in health.items() if one.state is not Running.FAILED and not one.hangs}
+    return tuple(replace(view, condition=being_tried(), rate="–") if view.name in well else view for view in views)
 
 
 def _beginning(name: str) -> SensorHealth:

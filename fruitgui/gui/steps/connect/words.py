@@ -63,6 +63,11 @@ def condition(health: SensorHealth | None) -> Condition:
     return Condition("", translate("Connect", "starting"))
 
 
+def being_tried() -> Condition:
+    """Return how a sensor is while its projector is tried: its pictures come and go, and that is as it should be."""
+    return Condition("", translate("Connect", "being measured"))
+
+
 def _running(health: SensorHealth) -> Condition:
     if health.blinded_by:
         text = translate("Connect", "The projector of {sensors} may be on out of its turn, as it does not answer.")

@@ -36,6 +36,11 @@ class ProjectorDesk(QObject):
         self._session, self._theme, self._page = session, theme, page
         self.dialog: ProjectorsDialog | None = None
 
+    @property
+    def trying(self) -> bool:
+        """Whether projectors are switched on and off now, to be measured."""
+        return self.dialog is not None and self.dialog.busy
+
     def plan(self, measured: Projectors | None = None) -> TurnPlan | None:
         """Return how projectors take turns, or would with what was measured, too; None where no sensor runs."""
         known = self._session.projectors
