@@ -100,10 +100,10 @@ def test_the_meter_tells_what_the_sensors_have_in_common(
     assert page.prepare.isVisible()
     qtbot.waitUntil(lambda: "plenty" in page.prepare.sentence.text(), timeout=LONG_MS)
     assert [link.health for link in page.prepare.graph.links] == ["good"]
-    watch = page.watch
+    watch = page.outlook.watch
     assert watch is not None
     page.left()
-    assert page.watch is None
+    assert page.outlook.watch is None
     qtbot.waitUntil(lambda: not watch.running, timeout=LONG_MS)
 
 

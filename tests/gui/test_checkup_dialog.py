@@ -312,14 +312,14 @@ def connected(qtbot: QtBot, tmp_path: Path, rendered: FrozenSource) -> Iterator[
 def test_the_connect_screen_opens_it(
     qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("fruitgui.gui.steps.connect.page.check_up", lambda _plan, _p, _c: checkups.all_well())
+    monkeypatch.setattr("fruitgui.gui.steps.connect.checkup_desk.check_up", lambda _plan, _p, _c: checkups.all_well())
     page = ConnectPage(session, theme)
     qtbot.addWidget(page)
     page.show()
     page.entered()
     assert page.check_action in page.other_actions
     page.check_action.trigger()
-    dialog = page.checkup
+    dialog = page.checkup.dialog
     assert dialog is not None
     done(qtbot, dialog)
     assert dialog.checkup == checkups.all_well()

@@ -66,7 +66,7 @@ class Stage:
             QCoreApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents, 50)
 
 
-def _drawn(widget: QWidget) -> bool:
+def drawn(widget: QWidget) -> bool:
     """Tell whether all that is made beside the window for what a widget shows is there."""
     widget.grab()  # what is painted asks for what it misses
     return not any(one.busy for one in widget.findChildren(Queries))
@@ -83,7 +83,7 @@ def taken(stage: Stage, scene: Scene, sizes: tuple[str, ...], themes: tuple[str,
                 for size in sizes:
                     widget.resize(*SIZES[size])
                     stage.settle()
-                    stage.wait_until(partial(_drawn, widget))
+                    stage.wait_until(partial(drawn, widget))
                     path = out / f"{scene.name}-{size}-{theme}-{language}.png"
                     widget.grab().save(str(path))
                     yield path

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtCore import QEvent, QTimer
+from PySide6.QtCore import QEvent
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.calibrate.core_words import in_words
+from fruitgui.gui.steps.calibrate.outlook_look import OutlookLook
 from fruitgui.gui.steps.calibrate.prepare_panel import PreparePanel
 from fruitgui.gui.steps.calibrate.prospect import prospect_of
 from fruitgui.gui.steps.calibrate.reasons import told
@@ -24,10 +25,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace
 from fruitgui.station.fused_cloud import SensorCloud
-from fruitgui.station.outlook_watch import OutlookWatch
 from fruitgui.station.workflow import State, Step
-
-LOOK_MS = 250
 
 
 class CalibratePage(StepPage):
@@ -39,7 +37,6 @@ class CalibratePage(StepPage):
         self._result: Calibrated | None = None
         self._again = False
         self._in_view = False
-        self._watch: OutlookWatch | None = None
         self._task: Task[Calibrated] | None = None
         self._drawing: Task[tuple[SensorCloud, ...]] | None = None
         self._drawn_for: object = None
@@ -47,7 +44,7 @@ class CalibratePage(StepPage):
         self.prepare, self.result = PreparePanel(session, theme), ResultPanel(theme)
         self.refused = RefusedPanel(theme)
         self._stack = QStackedWidget()
-        self._look = QTimer(self, interval=LOOK_MS)
+        self.outlook = OutlookLook(self)
         self.calibrate_action, self.keep_action = QAction(self), QAction(self)
         self.discard_action, self.again_action = QAction(self), QAction(self)
         self.on_action, self.connect_action = QAction(self), QAction(self)
@@ -56,11 +53,6 @@ class CalibratePage(StepPage):
         self._say_words()
         self._connect()
         self._show()
-
-    @property
-    def watch(self) -> OutlookWatch | None:
-        """What looks at the sensors, while this is in view and they are to be calibrated."""
-        return self._watch
 
     def entered(self) -> None:
         """Look at the sensors."""
@@ -71,7 +63,7 @@ class CalibratePage(StepPage):
     def left(self) -> None:
         """Rest."""
         self._in_view = False
-        self._watch_on(False)
+        self.outlook.end()
         self._again = False
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
@@ -95,7 +87,7 @@ class CalibratePage(StepPage):
         session.station_changed.connect(self._show)
         session.connection_changed.connect(self._show)
         session.running.changed.connect(self._show_actions)
-        self._look.timeout.connect(self._show_prospect)
+        self.outlook.looked.connect(self._show_prospect)
         self.calibrate_action.triggered.connect(self._calibrate)
         self.keep_action.triggered.connect(self._keep)
         self.discard_action.triggered.connect(self._discard)
@@ -145,7 +137,7 @@ class CalibratePage(StepPage):
             self._show_outcome(self._result)
         elif shown is self.result:
             self._show_station()
-        self._watch_on(self._in_view and shown is self.prepare and self._task is None)
+        self._look(wanted=self._in_view and shown is self.prepare and self._task is None)
         if shown is self.prepare:
             self._show_prospect()
         self._show_actions()
@@ -173,7 +165,7 @@ class CalibratePage(StepPage):
                 self._draw()
 
     def _show_prospect(self) -> None:
-        connection, watch = self._session.connection, self._watch
+        connection, watch = self._session.connection, self.outlook.watch
         if connection is None:
             return
         names = [one.name for one in connection.sensors]
@@ -222,19 +214,15 @@ class CalibratePage(StepPage):
 
     # what is done
 
-    def _watch_on(self, on: bool) -> None:
+    def _look(self, *, wanted: bool) -> None:
         feed = self._session.connected.feed
-        if on and self._watch is None and feed is not None:
-            self._watch = OutlookWatch(feed)
-            self._watch.start()
-            self._look.start()
-        elif not on and self._watch is not None:
-            self._watch.stop()
-            self._watch = None
-            self._look.stop()
+        if not wanted:
+            self.outlook.end()
+        elif feed is not None:
+            self.outlook.begin(feed)
 
     def _feed_changed(self) -> None:
-        self._watch_on(False)
+        self.outlook.end()
         self._drawn_for = None if self._result is None else self._drawn_for
         self._show()
 

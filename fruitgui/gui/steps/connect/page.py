@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QTimer
@@ -11,7 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QStackedWid
 
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.changes import SensorChanges
-from fruitgui.gui.steps.connect.checkup_dialog import CheckupDialog
+from fruitgui.gui.steps.connect.checkup_desk import CheckupDesk
 from fruitgui.gui.steps.connect.chooser import SourceChooser
 from fruitgui.gui.steps.connect.depth.wizard import DepthWizard
 from fruitgui.gui.steps.connect.details import SensorDetails
@@ -24,14 +23,9 @@ from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.scrolled import Scrolled
-from fruitgui.station.checkup.job import CheckupPlan, check_up
-from fruitgui.station.checkup.measuring import MeasuringBeside, measure
 from fruitgui.station.workflow import Step
 
 SIDE_WIDTH = 336
-CHECK_S = 4.0
-"""How long sensors are watched while they are checked."""
-
 LOOK_MS = 500
 """How often devices that were plugged in meanwhile are looked for, while the list is in view."""
 
@@ -52,11 +46,11 @@ class ConnectPage(StepPage):
         self.changes = SensorChanges(session, self.details, lambda: self._chosen, self._note_chosen)
         self.recording = RecordDesk(session, theme, self)
         self.projectors = ProjectorDesk(session, theme, self)
+        self.checkup = CheckupDesk(session, theme, self)
         self.depth_wizard = DepthWizard(session, theme, self._stack)
         self._look = QTimer(self, interval=LOOK_MS)
         self.connect_action, self.calibrate_action = QAction(self), QAction(self)
         self.change_action, self.back_action, self.check_action = QAction(self), QAction(self), QAction(self)
-        self.checkup: CheckupDialog | None = None
         self._lay_out()
         self._say_words()
         self._connect()
@@ -131,7 +125,7 @@ class ConnectPage(StepPage):
         self.change_action.triggered.connect(self._change_source)
         self.back_action.triggered.connect(self._go_back)
         self.calibrate_action.triggered.connect(self._go_on)
-        self.check_action.triggered.connect(self._check_sensors)
+        self.check_action.triggered.connect(self.checkup.ask)
 
     def _say_words(self) -> None:
         for action, text, tip, icon in (
@@ -281,16 +275,6 @@ class ConnectPage(StepPage):
 
     def _go_on(self) -> None:
         self.step_wanted.emit(Step.CALIBRATE)
-
-    def _check_sensors(self) -> None:
-        feed, others = self._session.connected.feed, None if self._session.running.running else measure
-        watching = measure if feed is None else MeasuringBeside(feed, others)
-        connection = self._session.connection
-        named = () if connection is None else tuple(one for one in connection.sensors if one.serial)
-        plan = CheckupPlan(CHECK_S, watching=watching, known_as={one.serial: one.name for one in named})
-        self.checkup = CheckupDialog(partial(check_up, plan), plan.machine, self._session.tasks, self._theme, self)
-        self.checkup.finished.connect(self.checkup.deleteLater)
-        self.checkup.open()
 
     def _choose(self, name: str) -> None:
         self._note_chosen(name)

@@ -1,0 +1,122 @@
+"""`python -m fruitgui.gui.shots.documents FOLDER`: takes the pictures of the README and of the manual anew.
+
+`FOLDER` is `resources/docs/pictures` of a checkout; what is there is replaced.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QWidget
+
+from fruitgui.gui.shots.scenes import SCENES
+from fruitgui.gui.shots.stage import SIZES, Scene, Stage, drawn
+from fruitgui.gui.steps.belt.region_canvas import RegionCanvas
+from fruitgui.gui.steps.calibrate.sketch_view import SketchView
+from fruitgui.gui.steps.teach.page import TeachPage
+from fruitgui.gui.theme.theme import load_fonts
+
+SIZE = SIZES["1280x720"]
+
+
+@dataclass(frozen=True, slots=True)
+class Print:
+    """One picture in a document.
+
+    Attributes:
+        file: in the folder of pictures.
+        scene: its name.
+        theme, language: that it is taken in.
+        width_px: to which it is made smaller; None for as it is.
+        part: the widget of the window that is shown; the whole window where it is no more than a widget.
+        share: of its height, from its top, that is shown.
+    """
+
+    file: str
+    scene: str
+    theme: str
+    language: str
+    width_px: int | None
+    part: type[QWidget] = QWidget
+    share: float = 1.0
+
+
+PRINTS: tuple[Print, ...] = (
+    Print("live.png", "live-running", "dark", "en", 960),
+    Print("calibrate.png", "calibrate-good", "dark", "en", 960),
+    Print("lots.png", "lots-one", "dark", "en", 960),
+    Print("manual/calibrate.png", "calibrate-prepare", "light", "en", 451, SketchView),
+    Print("manual/belt.png", "belt-above", "dark", "en", 560, RegionCanvas),
+    *(
+        one
+        for language in ("en", "es")
+        for one in (
+            Print(f"manual/live-{language}.png", "live-running", "light", language, 1000),
+            Print(f"manual/teach-{language}.png", "teach-naming", "light", language, 800, TeachPage, 0.55),
+            Print(f"manual/damaged-{language}.png", "trouble-backup", "dark", language, None),
+        )
+    ),
+)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Take the pictures that are asked for, all unless told otherwise; print their names."""
+    options = _parser().parse_args(arguments)
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    from fruitgui.gui.app import make_qt
+
+    qt = make_qt()
+    load_fonts()
+    with tempfile.TemporaryDirectory(prefix="fruitgui-prints-") as folder:
+        stage = Stage(qt, Path(folder))
+        for one in PRINTS:
+            if not options.only or one.file in options.only:
+                path = options.out / one.file
+                path.parent.mkdir(parents=True, exist_ok=True)
+                picture(stage, one, scene(one.scene)).save(str(path))
+                sys.stdout.write(f"{path}\n")
+                sys.stdout.flush()
+    return 0
+
+
+def scene(name: str) -> Scene:
+    """Return a scene by its name."""
+    return next(one for one in SCENES if one.name == name)
+
+
+def picture(stage: Stage, one: Print, shown: Scene) -> QImage:
+    """Take one picture."""
+    stage.dress(one.theme, one.language)
+    with shown.opened(stage) as window:
+        if one.width_px is not None:
+            window.resize(*SIZE)
+        stage.settle()
+        stage.wait_until(partial(drawn, window))
+        part = window if one.part is QWidget else window.findChild(one.part)
+        assert isinstance(part, QWidget)  # noqa: S101 - the scene shows it
+        area = QRect(0, 0, part.width(), round(one.share * part.height()))
+        taken = part.grab(area).toImage()
+    if one.width_px is None:
+        return taken
+    small = taken.scaledToWidth(one.width_px, Qt.TransformationMode.SmoothTransformation)
+    return small if one.part is QWidget else small.convertToFormat(QImage.Format.Format_Indexed8)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python -m fruitgui.gui.shots.documents", description=__doc__)
+    parser.add_argument("out", type=Path, help="folder of the pictures")
+    parser.add_argument("--only", nargs="*", default=(), metavar="FILE", help="these files only, as manual/belt.png")
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())
