@@ -48,6 +48,22 @@ def test_laying_out_ends_at_every_size(
             assert inside.height() >= summary.viewport().height()
 
 
+def test_words_take_no_more_height_than_they_need_once_there_is_room(
+    qtbot: QtBot, theme: Theme, qapp: QApplication
+) -> None:
+    summary = Summary(theme)
+    qtbot.addWidget(summary)
+    summary.resize(100, 495)
+    summary.show_figures(_figures(5, (AWAY,)), kind_marks(KINDS))
+    summary.show()
+    qapp.processEvents()
+    narrow = summary.unseen.height()
+    summary.resize(724, 495)
+    qapp.processEvents()
+    line = summary.unseen.fontMetrics().lineSpacing()
+    assert summary.unseen.height() <= 2 * line < narrow
+
+
 def test_all_is_in_view_in_the_least_window(qtbot: QtBot, theme: Theme, qapp: QApplication) -> None:
     summary = Summary(theme)
     qtbot.addWidget(summary)

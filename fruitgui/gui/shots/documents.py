@@ -27,6 +27,9 @@ from fruitgui.gui.theme.theme import load_fonts
 
 SIZE = SIZES["1280x720"]
 
+MANUAL = "manual/"
+"""Pictures of the manual travel with the program, and have 256 colours."""
+
 
 @dataclass(frozen=True, slots=True)
 class Print:
@@ -53,7 +56,7 @@ class Print:
 PRINTS: tuple[Print, ...] = (
     Print("live.png", "live-running", "dark", "en", 960),
     Print("calibrate.png", "calibrate-good", "dark", "en", 960),
-    Print("lots.png", "lots-one", "dark", "en", 960),
+    Print("lots.png", "lots-many", "dark", "en", 960),
     Print("manual/calibrate.png", "calibrate-prepare", "light", "en", 451, SketchView),
     Print("manual/belt.png", "belt-above", "dark", "en", 560, RegionCanvas),
     *(
@@ -108,7 +111,7 @@ def picture(stage: Stage, one: Print, shown: Scene) -> QImage:
     if one.width_px is None:
         return taken
     small = taken.scaledToWidth(one.width_px, Qt.TransformationMode.SmoothTransformation)
-    return small if one.part is QWidget else small.convertToFormat(QImage.Format.Format_Indexed8)
+    return small.convertToFormat(QImage.Format.Format_Indexed8) if one.file.startswith(MANUAL) else small
 
 
 def _parser() -> argparse.ArgumentParser:

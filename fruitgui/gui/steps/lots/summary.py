@@ -256,6 +256,7 @@ class Summary(QScrollArea):
             policy = words.sizePolicy()
             policy.setHeightForWidth(False)
             words.setSizePolicy(policy)
+            words.setMinimumHeight(0)  # what was needed at another width would count
             words.setFixedHeight(max(words.heightForWidth(width), 0))
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
