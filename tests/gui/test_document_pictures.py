@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from fruitgui.gui.shots.documents import PRINTS, SIZE, picture, scene
+from fruitgui.gui.shots.documents import PRINTS, SIZE, in_few_colours, picture, scene
 from fruitgui.gui.shots.stage import Stage
 from fruitgui.resources import folder
 
@@ -22,6 +22,20 @@ def test_every_picture_of_the_documents_has_its_scene_and_its_size() -> None:
         assert scene(one.scene).name == one.scene
         if one.width_px is not None:
             assert QImage(str(pictures / one.file)).width() == one.width_px
+
+
+def test_few_colours_show_a_picture_nearly_as_it_was() -> None:
+    shown = QImage(str(Path(__file__).parents[2] / "resources" / "docs" / "pictures" / "live.png"))
+    few = in_few_colours(shown)
+    assert few.colorCount() <= 256
+    assert few.size() == shown.size()
+    apart = [
+        abs(one - other)
+        for x in range(0, shown.width(), 31)
+        for y in range(0, shown.height(), 17)
+        for one, other in zip(shown.pixelColor(x, y).getRgb(), few.pixelColor(x, y).getRgb(), strict=True)
+    ]
+    assert sum(apart) / len(apart) < 2.0
 
 
 def test_one_is_taken(qapp: QApplication, tmp_path: Path) -> None:

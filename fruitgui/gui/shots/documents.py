@@ -14,8 +14,9 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtCore import QRect, Qt
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QImage, qRgb
 from PySide6.QtWidgets import QWidget
 
 from fruitgui.gui.shots.scenes import SCENES
@@ -28,7 +29,10 @@ from fruitgui.gui.theme.theme import load_fonts
 SIZE = SIZES["1280x720"]
 
 MANUAL = "manual/"
-"""Pictures of the manual travel with the program, and have 256 colours."""
+"""Pictures of the manual travel with the program, and have few colours."""
+
+COLOURS, EVERY = 256, 7
+"""How many, and which pixels they are chosen by."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +115,26 @@ def picture(stage: Stage, one: Print, shown: Scene) -> QImage:
     if one.width_px is None:
         return taken
     small = taken.scaledToWidth(one.width_px, Qt.TransformationMode.SmoothTransformation)
-    return small.convertToFormat(QImage.Format.Format_Indexed8) if one.file.startswith(MANUAL) else small
+    return in_few_colours(small) if one.file.startswith(MANUAL) else small
+
+
+def in_few_colours(image: QImage) -> QImage:
+    """Return a picture in the 256 colours that show it best: a fifth of the bytes."""
+    from scipy.cluster.vq import kmeans2
+    from scipy.spatial import KDTree
+
+    full = image.convertToFormat(QImage.Format.Format_RGB888)
+    height, width = full.height(), full.width()
+    rows = np.frombuffer(full.constBits(), np.uint8).reshape(height, full.bytesPerLine())
+    pixels = rows[:, : 3 * width].reshape(-1, 3)
+    colours = np.unique(pixels, axis=0).astype(np.float64)
+    if len(colours) > COLOURS:
+        colours, _ = kmeans2(pixels[::EVERY].astype(np.float64), COLOURS, minit="++", seed=1, missing="warn")
+    _, nearest = KDTree(colours).query(pixels)
+    indices = np.ascontiguousarray(nearest.astype(np.uint8).reshape(height, width))
+    few = QImage(indices.data, width, height, width, QImage.Format.Format_Indexed8)
+    few.setColorTable([qRgb(*(round(part) for part in colour)) for colour in colours])
+    return few.copy()
 
 
 def _parser() -> argparse.ArgumentParser:
