@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import os
 import threading
@@ -52,7 +53,8 @@ def _left(before: set[threading.Thread]) -> list[str]:
     """Return the names of threads that are new and do not end, though they are given time to."""
     until_s = time.monotonic() + END_S
     while (left := set(threading.enumerate()) - before) and time.monotonic() < until_s:
-        next(iter(left)).join(0.1)
+        with contextlib.suppress(RuntimeError):  # it is listed before it can be waited for
+            next(iter(left)).join(0.1)
     return sorted(thread.name for thread in left)
 
 
