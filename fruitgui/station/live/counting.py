@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Sequence
+from concurrent.futures import Future
+from dataclasses import dataclass
+from typing import Any
 
 from fruitgui.errors import FruitguiError
 from fruitgui.geometry.rig import Rig
@@ -31,8 +34,23 @@ Teacher = Callable[[Finished], None]
 """Told of every fruit that left, counted or not; quick, and never raises."""
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Weighing:
+    """A fruit that left and is being measured.
+
+    Attributes:
+        parted: the fruit.
+        lot: into which it counts; None lets it pass uncounted.
+        answer: what comes from the helper that measures it; None where no helper was up.
+    """
+
+    parted: Parted
+    lot: int | None
+    answer: Future[Any] | None
+
+
 class Counting:
-    """Counts fruit, one after the other, on one thread.
+    """Counts fruit, one after the other, on one thread; the next few are measured beside meanwhile.
 
     Args:
         rig: of the sensors that are there.
@@ -58,6 +76,7 @@ class Counting:
         self._sink = sink
         self._teacher = teacher
         self._warn = warn
+        self._judged: Callable[[Weighing], Judgement] = self._weighed
         self._number = 0
         self._unkept: dict[int, Finished] = {}
         self._last: deque[tuple[CountedFruit, Finished]] = deque(maxlen=LAST_FRUIT)
@@ -73,9 +92,22 @@ class Counting:
         """How the store fares."""
         return self._sink.state
 
-    def count(self, parted: Parted, lot: int | None) -> None:
-        """Measure a fruit that left, and count it into a lot; without one it passes uncounted."""
-        judgement = self._judged(parted.track)
+    @property
+    def ahead(self) -> int:
+        """How many fruit are worth measuring at a time: one for each helper."""
+        return max(1, len(self._bench.helpers))
+
+    def begin(self, parted: Parted, lot: int | None) -> Weighing:
+        """Let a fruit that left be measured, to be counted into a lot; without one it is to pass uncounted."""
+        return Weighing(parted, lot, self._bench.hand(Weigh(parted.track)))
+
+    def hurry(self) -> None:
+        """Measure roughly from now on: somebody waits for the end, and a fruit is better counted than lost."""
+        self._judged = self._roughly
+
+    def count(self, weighing: Weighing) -> None:
+        """Count a fruit once it is measured."""
+        judgement, parted, lot = self._judged(weighing), weighing.parted, weighing.lot
         self._number += 1
         seen_by = tuple(sorted({sighting.view.sensor for sighting in parted.track.sightings}))
         finished = Finished(
@@ -97,20 +129,23 @@ class Counting:
         if self._sink.state.waiting:
             self._add(self._sink.retry())
 
-    def _judged(self, track: Track) -> Judgement:
-        """Measure a track, here or beside; one that cannot be measured is counted all the same, and said."""
-        job = Weigh(track)
-        answer = self._bench.hand(job)
+    def _weighed(self, weighing: Weighing) -> Judgement:
+        """Measure a track, beside or here; one that cannot be measured is counted all the same, and said."""
         try:
-            if answer is not None:
-                done: Judgement = answer.result()
+            if weighing.answer is not None:
+                done: Judgement = weighing.answer.result()
                 return done
         except (HelperLostError, JobError):
             pass  # once more, here
-        here, error = attempted(self._worker, job)
+        here, error = attempted(self._worker, Weigh(weighing.parted.track))
         if isinstance(here, Judgement):
             return here
         self._warn("fruit_not_measured", f"A fruit could not be measured, only counted: {error}", ())
+        return self._roughly(weighing)
+
+    def _roughly(self, weighing: Weighing) -> Judgement:
+        """Return a judgement that no kind is named by, and that knows the size from the tracker alone."""
+        track = weighing.parted.track
         size = rough_size(track, self._rig)
         return Judgement(NOBODY_SAYS, size, evidence(track, size), size.volume_m3, None)
 

@@ -14,7 +14,7 @@ from functools import partial
 from fruitgui.sensors.feed import ByCapture, Feed, Subscription
 from fruitgui.station.lineup import line_up
 from fruitgui.station.live.bench import Bench
-from fruitgui.station.live.counting import Counting, Teacher
+from fruitgui.station.live.counting import Counting, Teacher, Weighing
 from fruitgui.station.live.first_look import FirstLook, Leaving
 from fruitgui.station.live.following import Following
 from fruitgui.station.live.helper import Hands
@@ -37,6 +37,8 @@ FRUIT_AHEAD = 64
 LATENCIES = 30
 TAKE_S, RETRY_S = 0.2, 2.0
 STOP_S = 15.0
+HURRY_S = 3.0
+"""For fruit that are not measured when the time to stop is over: they are sized roughly, which takes no time."""
 
 
 class LiveLine:
@@ -112,13 +114,19 @@ class LiveLine:
         self._lot = lot
 
     def stop(self, timeout_s: float = STOP_S) -> bool:
-        """Stop: what waits is followed, what is in view is counted. Return whether all of it was, in that time."""
+        """Stop: what waits is followed, what is in view is counted. Return whether all of it was.
+
+        Args:
+            timeout_s: fruit that are not measured by then are sized roughly, within some three seconds more.
+        """
         if self._phase is Phase.RUNNING:
             self._phase = Phase.STOPPING
         if self._subscription is not None:
             self._subscription.close()
-        done = self.wait(timeout_s)
+        if not self.wait(timeout_s):
+            self._counting.hurry()
         self._bench.close()
+        done = self.wait(HURRY_S)
         self._phase = Phase.STOPPED
         return done
 
@@ -262,18 +270,29 @@ class LiveLine:
     # The third thread: fruit measured, kept, counted.
 
     def _count_all(self) -> None:
-        while True:
-            try:
-                leaving = self._parted.get(timeout=RETRY_S)
-            except queue.Empty:
-                self._attempt(self._counting.retry)
-                continue
-            if leaving is None:
-                break
-            self._attempt(partial(self._counting.count, *leaving))
+        begun: deque[Weighing] = deque()
+        over = False
+        while begun or not over:
+            over = over or self._begin_more(begun)
+            if begun:
+                self._attempt(partial(self._counting.count, begun.popleft()))
         self._attempt(self._counting.retry)
         if self._phase is Phase.RUNNING:
             self._phase = Phase.ENDED
+
+    def _begin_more(self, begun: deque[Weighing]) -> bool:
+        """Let fruit that wait be measured, as many as are worth it at a time; return whether no more will come."""
+        while len(begun) < self._counting.ahead:
+            try:
+                leaving = self._parted.get(block=not begun, timeout=RETRY_S)
+            except queue.Empty:
+                if not begun:
+                    self._attempt(self._counting.retry)
+                return False
+            if leaving is None:
+                return True
+            begun.append(self._counting.begin(*leaving))
+        return False
 
     def _attempt(self, count: Callable[[], None]) -> None:
         try:
