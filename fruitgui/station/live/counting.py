@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Sequence
-from concurrent.futures import Future
-from dataclasses import dataclass
-from typing import Any
 
 from fruitgui.errors import FruitguiError
 from fruitgui.geometry.rig import Rig
@@ -14,11 +11,10 @@ from fruitgui.measurement.rough import rough_size
 from fruitgui.perception.view import FruitView
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.judging import NOBODY_SAYS, Judgement, evidence
-from fruitgui.station.live.bench import Bench
 from fruitgui.station.live.crops import coded
-from fruitgui.station.live.following import Parted
 from fruitgui.station.live.helper import HelperLostError, JobError, Weigh, Worker, attempted
 from fruitgui.station.live.state import Finished, KindTotal, Spot, Totals
+from fruitgui.station.live.weighing import Weighing
 from fruitgui.station.sink import CountedFruit
 from fruitgui.station.waiting import BufferedSink, SinkState
 from fruitgui.tracking.track import Track
@@ -34,28 +30,12 @@ Teacher = Callable[[Finished], None]
 """Told of every fruit that left, counted or not; quick, and never raises."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Weighing:
-    """A fruit that left and is being measured.
-
-    Attributes:
-        parted: the fruit.
-        lot: into which it counts; None lets it pass uncounted.
-        answer: what comes from the helper that measures it; None where no helper was up.
-    """
-
-    parted: Parted
-    lot: int | None
-    answer: Future[Any] | None
-
-
 class Counting:
-    """Counts fruit, one after the other, on one thread; the next few are measured beside meanwhile.
+    """Counts fruit, one after the other, on one thread.
 
     Args:
         rig: of the sensors that are there.
-        worker: measures where the bench has no helper.
-        bench: measures beside.
+        worker: measures what no helper did.
         sink: keeps fruit.
         teacher: told of every fruit.
         warn: told what went wrong: code, text, sensors.
@@ -65,14 +45,12 @@ class Counting:
         self,
         rig: Rig,
         worker: Worker,
-        bench: Bench,
         sink: BufferedSink,
         teacher: Teacher | None,
         warn: Callable[[str, str, tuple[str, ...]], None],
     ) -> None:
         self._rig = rig
         self._worker = worker
-        self._bench = bench
         self._sink = sink
         self._teacher = teacher
         self._warn = warn
@@ -91,15 +69,6 @@ class Counting:
     def sink_state(self) -> SinkState:
         """How the store fares."""
         return self._sink.state
-
-    @property
-    def ahead(self) -> int:
-        """How many fruit are worth measuring at a time: one for each helper."""
-        return max(1, len(self._bench.helpers))
-
-    def begin(self, parted: Parted, lot: int | None) -> Weighing:
-        """Let a fruit that left be measured, to be counted into a lot; without one it is to pass uncounted."""
-        return Weighing(parted, lot, self._bench.hand(Weigh(parted.track)))
 
     def hurry(self) -> None:
         """Measure roughly from now on: somebody waits for the end, and a fruit is better counted than lost."""

@@ -14,7 +14,7 @@ from functools import partial
 from fruitgui.sensors.feed import ByCapture, Feed, Subscription
 from fruitgui.station.lineup import line_up
 from fruitgui.station.live.bench import Bench
-from fruitgui.station.live.counting import Counting, Teacher, Weighing
+from fruitgui.station.live.counting import Counting, Teacher
 from fruitgui.station.live.first_look import FirstLook, Leaving
 from fruitgui.station.live.following import Following
 from fruitgui.station.live.helper import Hands
@@ -24,6 +24,7 @@ from fruitgui.station.live.sensor_watch import SensorWatch
 from fruitgui.station.live.showing import Showing
 from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
 from fruitgui.station.live.warnings import Warnings
+from fruitgui.station.live.weighing import Weighings
 from fruitgui.station.model import Model
 from fruitgui.station.station import Station
 from fruitgui.station.waiting import BufferedSink
@@ -86,9 +87,10 @@ class LiveLine:
         self._first_look = FirstLook(self._following)
         self._put_right: set[str] = set()
         self._sensors = SensorWatch(self._lineup.station_id, self._following.above, intake.away, self._warnings.add)
-        self._counting = Counting(self._lineup.rig, hands.worker(), self._bench, sink, teacher, self._warnings.add)
+        self._counting = Counting(self._lineup.rig, hands.worker(), sink, teacher, self._warnings.add)
         self._perceived: queue.Queue[Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
         self._parted: queue.Queue[Leaving | None] = queue.Queue(FRUIT_AHEAD)
+        self._weighings = Weighings(self._parted, self._bench)
         self._subscription: Subscription | None = None
         self._threads: tuple[threading.Thread, ...] = ()
         self._latencies: deque[float] = deque(maxlen=LATENCIES)
@@ -151,7 +153,7 @@ class LiveLine:
             frames=self._frames,
             latency_s=statistics.median(self._latencies or (0.0,)),
             backlog=(subscription.waiting if subscription else 0) + self._perceived.qsize(),
-            waiting_fruit=self._first_look.held + self._parted.qsize() + self._counting.sink_state.waiting,
+            waiting_fruit=self._first_look.held + self._weighings.waiting + self._counting.sink_state.waiting,
             dropped=subscription.dropped if subscription else {},
             skipped=self._skipped,
             blind=self._sensors.blind,
@@ -270,29 +272,18 @@ class LiveLine:
     # The third thread: fruit measured, kept, counted.
 
     def _count_all(self) -> None:
-        begun: deque[Weighing] = deque()
-        over = False
-        while begun or not over:
-            over = over or self._begin_more(begun)
-            if begun:
-                self._attempt(partial(self._counting.count, begun.popleft()))
+        while True:
+            try:
+                weighing = self._weighings.take(RETRY_S)
+            except queue.Empty:
+                self._attempt(self._counting.retry)
+                continue
+            if weighing is None:
+                break
+            self._attempt(partial(self._counting.count, weighing))
         self._attempt(self._counting.retry)
         if self._phase is Phase.RUNNING:
             self._phase = Phase.ENDED
-
-    def _begin_more(self, begun: deque[Weighing]) -> bool:
-        """Let fruit that wait be measured, as many as are worth it at a time; return whether no more will come."""
-        while len(begun) < self._counting.ahead:
-            try:
-                leaving = self._parted.get(block=not begun, timeout=RETRY_S)
-            except queue.Empty:
-                if not begun:
-                    self._attempt(self._counting.retry)
-                return False
-            if leaving is None:
-                return True
-            begun.append(self._counting.begin(*leaving))
-        return False
 
     def _attempt(self, count: Callable[[], None]) -> None:
         try:
