@@ -69,6 +69,17 @@ def read_rise_m(board: SeenFlat, belt: Plane) -> float:
     return float(belt.height_m(ray / (board.coefficients @ ray)))
 
 
+def read_raised_m(higher: SeenFlat, belt: SeenFlat) -> float:
+    """Return how much farther from the belt a sensor is read to be than it was."""
+    return float(1.0 / np.linalg.norm(higher.coefficients) - 1.0 / np.linalg.norm(belt.coefficients))
+
+
+def read_turn_rad(higher: SeenFlat, belt: SeenFlat) -> float:
+    """Return by what angle a sensor is read to lean otherwise than it did."""
+    now, then = (planes.plane_of(one.coefficients).normal for one in (higher, belt))
+    return float(np.arccos(min(float(now @ then), 1.0)))
+
+
 def _board(still: Still, belt: Plane, part: Bools, height_m: F64) -> SeenFlat | None:
     """Return the lid of a thing: where most of it has one height; walls hang on to it."""
     z = 1.0 / still.inverse_depth[part]
