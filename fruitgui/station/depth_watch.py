@@ -1,4 +1,4 @@
-"""Looks at one sensor while its depth is being measured: what of belt, board or ball it sees now."""
+"""Looks at one sensor while its depth is being measured: what of belt, board or ball it sees now, and from where."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from fruitgui.calibration import planes
 from fruitgui.calibration.depth.measured import SeenFlat
-from fruitgui.calibration.depth.seeing import read_rise_m, see_ball, see_belt, see_board
+from fruitgui.calibration.depth.seeing import read_raised_m, read_rise_m, see_ball, see_belt, see_board
 from fruitgui.calibration.still import Still, average
 from fruitgui.errors import FruitguiError
 from fruitgui.frame import Bools
@@ -28,6 +28,7 @@ class Looked(StrEnum):
     BELT = "belt"
     BOARD = "board"
     BALL = "ball"
+    RAISED = "raised"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,7 +48,7 @@ class Sight:
         what: was looked for.
         on: (H, W) pixels of it; None where it is not seen.
         length_m: of the belt its distance straight ahead, of a board its height over the belt, of a ball its
-            diameter as typed; as read, uncorrected.
+            diameter as typed, of a raised sensor how much farther it is from the belt; as read, uncorrected.
         moving: something moves.
     """
 
@@ -65,6 +66,10 @@ def sight_of(still: Still, aim: Aim) -> Sight:
         if belt is None:
             return Sight(Looked.BELT, None, 0.0, moving)
         return Sight(Looked.BELT, belt.on, float(1.0 / belt.coefficients[2]), moving)
+    if aim.what is Looked.RAISED:
+        higher = see_belt(still)
+        on, length_m = (None, 0.0) if higher is None else (higher.on, read_raised_m(higher, aim.belt))
+        return Sight(Looked.RAISED, on, length_m, moving)
     plane = planes.plane_of(aim.belt.coefficients)
     if aim.what is Looked.BOARD:
         board = see_board(still, plane, aim.length_m)

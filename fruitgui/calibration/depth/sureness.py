@@ -2,18 +2,49 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from fruitgui.calibration.depth.estimate import PLANE_STD_M, Problem, Solution, solve
-from fruitgui.calibration.depth.measured import LENS_ASIDE_M, RAISED_STD_M, Sureness
+from fruitgui.calibration.depth.found import found
+from fruitgui.calibration.depth.measured import LENS_ASIDE_M, RAISED_STD_M, DepthRefusal, Measurements, Sureness
 from fruitgui.frame import F64
 
 TURNED_RAD = float(np.radians(1.0))
 """So much a sensor usually leans otherwise once a hand has raised it."""
 
 USUAL_RAISED_STD_M = float(np.hypot(np.hypot(RAISED_STD_M, LENS_ASIDE_M * TURNED_RAD), 2**0.5 * PLANE_STD_M))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outlook:
+    """What is known of a device while it is still being measured.
+
+    Attributes:
+        covariance: (4, 4) of the terms.
+        read_m: distance of the belt straight ahead, as read.
+    """
+
+    covariance: F64
+    read_m: float
+
+    @property
+    def now(self) -> Sureness:
+        """How sure it is by what was measured so far."""
+        return sureness("all", self.covariance, self.read_m)
+
+    def raised(self, raised_m: float) -> Sureness:
+        """Return how sure it will be once the sensor was raised by so much as well."""
+        return sureness("all", with_raise(self.covariance, raised_m), self.read_m)
+
+
+def outlook(measured: Measurements) -> Outlook | DepthRefusal:
+    """Return what is known by the measurements so far, or why one of them does not do."""
+    problem = found(measured)
+    if isinstance(problem, DepthRefusal):
+        return problem
+    return Outlook(solve(problem).covariance, float(1.0 / problem.belt.coefficients[2]))
 
 
 def sureness_of(problem: Problem, whole: Solution) -> tuple[Sureness, ...]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication
 
-from fruitgui.calibration.depth.measured import DepthFit, DepthReason, Figure
+from fruitgui.calibration.depth.measured import LEAST_RAISED_M, DepthFit, DepthReason, DepthRefusal, Figure
+from fruitgui.calibration.depth.sureness import Outlook
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.steps.connect.depth.course import Stage, Typed
 from fruitgui.gui.steps.connect.words import Condition
@@ -27,6 +28,7 @@ def stage_name(stage: Stage) -> str:
         Stage.BELT: translate("Depth", "Belt"),
         Stage.BOARD: translate("Depth", "Box"),
         Stage.BALL: translate("Depth", "Ball"),
+        Stage.RAISED: translate("Depth", "Higher"),
         Stage.RESULT: translate("Depth", "Result"),
     }[stage]
 
@@ -52,8 +54,29 @@ def rules(stage: Stage) -> tuple[str, ...]:
             translate("Depth", "1.  Put a dull ball on the bare belt amid the picture; a large one tells more."),
             translate("Depth", "2.  Measure its diameter between two straight edges, and type it."),
         ),
+        Stage.RAISED: (
+            translate(
+                "Depth",
+                "1.  Clear the belt, and raise the sensor straight up by 20 cm or more: on a block, or in its clamp.",
+            ),
+            translate("Depth", "2.  Measure how much higher its glass is now than at first, straight up, and type it."),
+        ),
         Stage.RESULT: (),
     }[stage]
+
+
+def outlook_text(known: Outlook | DepthRefusal, raised_m: float) -> str:
+    """Return what is known before the sensor is raised, and what raising it by so much adds."""
+    if isinstance(known, DepthRefusal):
+        return " ".join(reason_words(known.reasons[0]))
+    now, then = known.now, known.raised(raised_m)
+    text = translate(
+        "Depth",
+        "Known so far: scale ±{scale} %, offset ±{offset} mm. With this raise: about ±{scale2} %, ±{offset2} mm.",
+    )
+    scale, scale2 = (number_text(196.0 * one.scale_std, 1) for one in (now, then))
+    offset, offset2 = (number_text(1960.0 * one.offset_std_m, 0) for one in (now, then))
+    return text.format(scale=scale, offset=offset, scale2=scale2, offset2=offset2)
 
 
 def seen_text(sight: Sight | None, typed: Typed) -> Condition:
@@ -69,6 +92,8 @@ def seen_text(sight: Sight | None, typed: Typed) -> Condition:
         return Condition("good", text.format(length=mm(sight.length_m)))
     if sight.what is Looked.BOARD:
         return _board_text(sight, typed)
+    if sight.what is Looked.RAISED:
+        return _raised_text(sight, typed)
     if sight.on is None:
         text = translate("Depth", "No ball of {length} is seen yet.")
         return Condition("warn", text.format(length=mm(typed.diameter_mm * 1e-3)))
@@ -85,11 +110,27 @@ def _board_text(sight: Sight, typed: Typed) -> Condition:
     return Condition("good", text.format(length=mm(sight.length_m)))
 
 
+def _raised_text(sight: Sight, typed: Typed) -> Condition:
+    if typed.raised_mm < 1e3 * LEAST_RAISED_M:
+        text = translate("Depth", "The two heights are too near to each other: raise it by {length} or more.")
+        return Condition("warn", text.format(length=mm(LEAST_RAISED_M)))
+    if sight.on is None:
+        return Condition("warn", translate("Depth", "The belt is not seen from there: let the sensor look at it."))
+    if sight.length_m < OFF_SHARE * LEAST_RAISED_M:
+        return Condition("warn", translate("Depth", "The sensor hangs where it was: raise it."))
+    text = translate("Depth", "The belt is seen about {length} farther away.")
+    if abs(sight.length_m * 1e3 - typed.raised_mm) > OFF_SHARE * typed.raised_mm:
+        text = translate("Depth", "The belt is seen about {length} farther away; that is not what is typed.")
+        return Condition("warn", text.format(length=mm(sight.length_m)))
+    return Condition("good", text.format(length=mm(sight.length_m)))
+
+
 def figure_name(figure: Figure) -> str:
     """Return what a figure is of."""
     return {
         "distance": translate("Depth", "Distance of the belt"),
         "height": translate("Depth", "Height of the box"),
+        "raised": translate("Depth", "How far the sensor was raised"),
         "ball": translate("Depth", "Diameter of the ball"),
         "flatness": translate("Depth", "Unevenness of the belt"),
     }[figure.what]
@@ -102,6 +143,17 @@ def verdict_text(fit: DepthFit) -> str:
         "Depth at the belt is now right to ±{after}; without a measurement such a sensor may be off by ±{before}.",
     )
     return text.format(after=mm(1.96 * fit.depth_std_m), before=mm(1.96 * fit.depth_std_before_m))
+
+
+def sureness_name(by: str, heights: int) -> str:
+    """Return by what part of the measurements something is known."""
+    text = {
+        "belt": translate("Depth", "one height alone"),
+        "heights": translate("Depth", "{count} heights"),
+        "ball": translate("Depth", "one height and the ball"),
+        "all": translate("Depth", "all of it"),
+    }[by]
+    return text.format(count=number_text(heights, 0))
 
 
 def terms_text(fit: DepthFit) -> str:
@@ -126,7 +178,7 @@ def missing_texts(fit: DepthFit) -> tuple[str, ...]:
         "distance": translate(
             "Depth", "Without a tape or a large ball the offset stays unknown: heights are right, widths less."
         ),
-        "height": translate("Depth", "A higher box would tell the scale."),
+        "height": translate("Depth", "A higher box, or the sensor raised farther, would tell the scale."),
         "wider": translate("Depth", "The belt fills too little of the picture to tell how it bends."),
     }
     return tuple(known[one] for one in fit.missing.values())
@@ -163,13 +215,27 @@ def reason_words(reason: DepthReason) -> tuple[str, str]:
             translate("Depth", "The box is not as high as was typed."),
             translate("Depth", "Type the height of its upper side over the belt, in millimetres."),
         ),
+        "raised_belt_not_seen": (
+            translate("Depth", "The belt was not seen by the raised sensor."),
+            translate("Depth", "Clear the belt, and raise the sensor straight up, so that it still looks at the belt."),
+        ),
+        "raised_too_little": (
+            translate("Depth", "The two heights of the sensor are too near to each other."),
+            translate("Depth", "Raise it by 20 cm or more."),
+        ),
+        "raised_differs": (
+            translate("Depth", "The sensor was not raised by as much as was typed."),
+            translate(
+                "Depth", "Measure how much higher its glass is than at first, straight up, and type it in millimetres."
+            ),
+        ),
         "too_few_heights": (
             translate("Depth", "One height alone tells nothing."),
-            translate("Depth", "Take a box of known height, or a ball, as well."),
+            translate("Depth", "Take a box or a ball of known size, or raise the sensor, as well."),
         ),
         "nothing_decided": (
             translate("Depth", "The heights are too small to tell more than is known of such devices."),
-            translate("Depth", "Use a higher box, 15 cm or more, and a tape."),
+            translate("Depth", "Use a higher box, 15 cm or more, or raise the sensor farther, and use a tape."),
         ),
         "typed_disagrees": (
             translate("Depth", "What was typed does not agree with the other measurements."),
