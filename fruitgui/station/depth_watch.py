@@ -9,7 +9,7 @@ import numpy as np
 
 from fruitgui.calibration import planes
 from fruitgui.calibration.depth.measured import SeenFlat
-from fruitgui.calibration.depth.seeing import read_raised_m, read_rise_m, see_ball, see_belt, see_board
+from fruitgui.calibration.depth.seeing import read_raised_m, read_rise_m, see_ball, see_belt, see_board, see_from_higher
 from fruitgui.calibration.still import Still, average
 from fruitgui.errors import FruitguiError
 from fruitgui.frame import Bools
@@ -33,7 +33,7 @@ class Looked(StrEnum):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Aim:
-    """What is looked for, how high or wide it was typed to be, m, and the belt as it was taken first."""
+    """What is looked for, how high or wide or how far raised it was typed to be, m, and the belt as it was at first."""
 
     what: Looked
     length_m: float = 0.0
@@ -67,9 +67,7 @@ def sight_of(still: Still, aim: Aim) -> Sight:
             return Sight(Looked.BELT, None, 0.0, moving)
         return Sight(Looked.BELT, belt.on, float(1.0 / belt.coefficients[2]), moving)
     if aim.what is Looked.RAISED:
-        higher = see_belt(still)
-        on, length_m = (None, 0.0) if higher is None else (higher.on, read_raised_m(higher, aim.belt))
-        return Sight(Looked.RAISED, on, length_m, moving)
+        return _from_higher(still, aim.belt, aim.length_m, moving=moving)
     plane = planes.plane_of(aim.belt.coefficients)
     if aim.what is Looked.BOARD:
         board = see_board(still, plane, aim.length_m)
@@ -77,6 +75,13 @@ def sight_of(still: Still, aim: Aim) -> Sight:
         return Sight(Looked.BOARD, on, length_m, moving)
     ball = see_ball(still, plane, aim.length_m / 2)
     return Sight(Looked.BALL, None if ball is None else ball.on, aim.length_m, moving)
+
+
+def _from_higher(still: Still, belt: SeenFlat, raised_m: float, *, moving: bool) -> Sight:
+    higher = see_from_higher(still, belt, raised_m)
+    if higher is None:
+        return Sight(Looked.RAISED, None, 0.0, moving)
+    return Sight(Looked.RAISED, higher.on, read_raised_m(higher.coefficients, belt.coefficients), moving)
 
 
 MOVING = 0.005

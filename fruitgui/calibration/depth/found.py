@@ -18,12 +18,17 @@ from fruitgui.calibration.depth.measured import (
     SeenBall,
     SeenFlat,
 )
-from fruitgui.calibration.depth.seeing import read_raised_m, read_rise_m, see_ball, see_belt, see_board
+from fruitgui.calibration.depth.seeing import (
+    CLOSE_SHARE,
+    read_raised_m,
+    read_rise_m,
+    see_ball,
+    see_belt,
+    see_board,
+    see_from_higher,
+)
 from fruitgui.calibration.still import Still
 from fruitgui.geometry.plane import Plane
-
-HEIGHT_SHARE = 0.2
-"""What is read so far off what was typed is another thing, or a slip of the pen; no device errs so much."""
 
 STOOD_M = 0.004
 """So far a belt may be from where it was: beyond, the sensor was bumped between two measurements."""
@@ -88,16 +93,16 @@ def _ball(told: BallOnBelt, belt: SeenFlat, plane: Plane) -> SeenBall | DepthRea
 def _higher(told: RaisedSensor, belt: SeenFlat) -> SeenFlat | DepthReason:
     if told.raised_m < LEAST_RAISED_M:
         return reasons.raised_too_little(told.raised_m)
-    higher = see_belt(told.still)
+    higher = see_from_higher(told.still, belt, told.raised_m)
     if higher is None:
         return reasons.NO_BELT_FROM_HIGHER
-    read_m = read_raised_m(higher, belt)
+    read_m = read_raised_m(higher.coefficients, belt.coefficients)
     close = _close(read_m, told.raised_m, told.raised_std_m)
     return higher if close else reasons.raised_differs(read_m, told.raised_m)
 
 
 def _close(read_m: float, typed_m: float, std_m: float) -> bool:
-    return abs(read_m - typed_m) - 3.0 * std_m < HEIGHT_SHARE * typed_m
+    return abs(read_m - typed_m) - 3.0 * std_m < CLOSE_SHARE * typed_m
 
 
 def _moved(still: Still) -> DepthReason | None:

@@ -28,7 +28,7 @@ from fruitgui.calibration.depth.measured import (
     SeenFlat,
     Sureness,
 )
-from fruitgui.calibration.depth.seeing import read_raised_m, read_turn_rad, see_belt
+from fruitgui.calibration.depth.seeing import read_raised_m, read_turn_rad, see_belt, see_from_higher
 from fruitgui.calibration.depth.sureness import sureness, with_raise
 from fruitgui.calibration.still import Still, average
 from fruitgui.frame import F64
@@ -172,10 +172,32 @@ def test_a_belt_that_is_not_seen_from_higher_is_refused() -> None:
     assert made.code == "raised_belt_not_seen"
 
 
+def test_the_belt_is_found_where_more_of_the_floor_is_seen_from_higher() -> None:
+    # From 1.2 m this sensor sees most of a narrow belt, from 1.5 m more of the floor than of the belt.
+    stills = [
+        average(list(depth_bench(1, 0, BIASED, raised_m=raised_m, captures=4, sensor_height_m=(0.7, 1.5)).frames()))
+        for raised_m in (0.0, RAISED_M)
+    ]
+    belt = see_belt(stills[0])
+    assert belt is not None
+    for typed_m in (RAISED_M, 0.25, 0.35):
+        higher = see_from_higher(stills[1], belt, typed_m)
+        assert higher is not None
+        assert read_raised_m(higher.coefficients, belt.coefficients) == pytest.approx(RAISED_M, abs=0.01)
+    floor = see_from_higher(stills[1], belt, 0.9)
+    assert floor is not None
+    assert read_raised_m(floor.coefficients, belt.coefficients) > 0.7, (
+        "the floor is there to be found"
+    )
+    still_low = see_from_higher(stills[0], belt, RAISED_M)
+    assert still_low is not None
+    assert abs(read_raised_m(still_low.coefficients, belt.coefficients)) < 0.01
+
+
 def test_a_sensor_that_was_turned_as_it_was_raised_is_believed_less() -> None:
     level = _problem(Measurements(_belt(), raised=(_higher(),)))
     ((seen, told),) = level.raised
-    assert read_raised_m(seen, level.belt) == pytest.approx(RAISED_M, abs=0.01)
+    assert read_raised_m(seen.coefficients, level.belt.coefficients) == pytest.approx(RAISED_M, abs=0.01)
     turn = rotation_from_vector(np.array([np.radians(4.0), 0.0, 0.0]))
     turned = replace(seen, coefficients=turn @ seen.coefficients)
     assert read_turn_rad(turned, level.belt) > read_turn_rad(seen, level.belt)

@@ -104,9 +104,9 @@ class Course:
         return None if self.belt is None else Measurements(self.belt, self.boards, self.balls, self.raised)
 
     def aim(self, typed: Typed) -> Aim:
-        """Return what is looked for at the present stage, and how high or wide it was typed to be."""
-        length_mm = {Stage.BOARD: typed.height_mm, Stage.BALL: typed.diameter_mm}.get(self.stage, 0.0)
-        return Aim(LOOKED.get(self.stage, Looked.BELT), length_mm * 1e-3, self.seen)
+        """Return what is looked for at the present stage, and what length was typed of it."""
+        lengths_mm = {Stage.BOARD: typed.height_mm, Stage.BALL: typed.diameter_mm, Stage.RAISED: typed.raised_mm}
+        return Aim(LOOKED.get(self.stage, Looked.BELT), lengths_mm.get(self.stage, 0.0) * 1e-3, self.seen)
 
     @property
     def can_pass(self) -> bool:
