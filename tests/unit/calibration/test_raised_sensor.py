@@ -186,9 +186,7 @@ def test_the_belt_is_found_where_more_of_the_floor_is_seen_from_higher() -> None
         assert read_raised_m(higher.coefficients, belt.coefficients) == pytest.approx(RAISED_M, abs=0.01)
     floor = see_from_higher(stills[1], belt, 0.9)
     assert floor is not None
-    assert read_raised_m(floor.coefficients, belt.coefficients) > 0.7, (
-        "the floor is there to be found"
-    )
+    assert read_raised_m(floor.coefficients, belt.coefficients) > 0.7, "the floor is there to be found"
     still_low = see_from_higher(stills[0], belt, RAISED_M)
     assert still_low is not None
     assert abs(read_raised_m(still_low.coefficients, belt.coefficients)) < 0.01
