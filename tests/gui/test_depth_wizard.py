@@ -152,6 +152,7 @@ def test_a_slip_of_the_pen_is_refused_and_going_back_keeps_nothing(
     assert page.main_action is wizard.choices.again
     assert wizard.choices.keep not in page.other_actions
     assert wizard.result.word.text().startswith("This does not do yet")
+    qtbot.waitUntil(lambda: any(text.endswith("Most in doubt: the height of the box.") for text in _shown(wizard)))
     wizard.choices.again.trigger()
     assert wizard.course is not None
     assert wizard.course.stage is Stage.BELT

@@ -179,7 +179,7 @@ class Sureness:
 
 @dataclass(frozen=True, slots=True)
 class DepthReason:
-    """Why a measurement does not do: a stable word, what is wrong, and what to do.
+    """Why a measurement does not do: a stable word, what is wrong, what to do, and of what `Figure` that is said.
 
     Codes: `belt_not_seen`, `board_not_seen`, `ball_not_seen`, `raised_belt_not_seen`, `not_flat`, `scene_moved`,
     `sensor_moved`, `height_differs`, `raised_too_little`, `raised_differs`, `too_few_heights`, `nothing_decided`,
@@ -189,6 +189,7 @@ class DepthReason:
     code: str
     what: str
     remedy: str
+    about: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -28,6 +28,7 @@ def disagreements(solution: Solution) -> list[DepthReason]:
             "typed_disagrees",
             f"{what} does not go with the other measurements ({abs(worst[2]):.0f} standard deviations).",
             "Measure once more what was typed; see that the ball lies on the belt itself and the board is not tilted.",
+            worst[0],
         )
     ]
 

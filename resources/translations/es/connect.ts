@@ -847,6 +847,22 @@
         <translation>Irregularidad de la cinta</translation>
     </message>
     <message>
+        <source>the distance of the belt</source>
+        <translation>la distancia de la cinta</translation>
+    </message>
+    <message>
+        <source>the height of the box</source>
+        <translation>la altura de la caja</translation>
+    </message>
+    <message>
+        <source>how far the sensor was raised</source>
+        <translation>cuánto se subió el sensor</translation>
+    </message>
+    <message>
+        <source>the diameter of the ball</source>
+        <translation>el diámetro de la pelota</translation>
+    </message>
+    <message>
         <source>Depth at the belt is now right to ±{after}; without a measurement such a sensor may be off by ±{before}.</source>
         <translation>La profundidad en la cinta es ahora correcta a ±{after}; sin medirlo, un sensor así puede equivocarse en ±{before}.</translation>
     </message>
@@ -893,6 +909,10 @@
     <message>
         <source>Use a higher box, 15 cm or more, or raise the sensor farther, and use a tape.</source>
         <translation>Use una caja más alta, de 15 cm o más, o suba más el sensor, y use una huincha.</translation>
+    </message>
+    <message>
+        <source>{what} Most in doubt: {length}.</source>
+        <translation>{what} Lo más dudoso: {length}.</translation>
     </message>
     <message>
         <source>The belt fills too little of the picture to tell how it bends.</source>

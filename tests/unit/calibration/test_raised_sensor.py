@@ -162,7 +162,8 @@ def test_a_raise_that_contradicts_box_and_ball_is_refused() -> None:
     ball = BallOnBelt(_still(3, ball_m=0.15), 0.15)
     board = RaisedBoard(_still(2, board_m=0.20), 0.20)
     measured = Measurements(_belt(), (board,), (ball,), (_higher(RAISED_M + 0.012),))
-    assert _reason(measured).code == "typed_disagrees"
+    reason = _reason(measured)
+    assert (reason.code, reason.about) == ("typed_disagrees", "raised")
 
 
 def test_a_belt_that_is_not_seen_from_higher_is_refused() -> None:

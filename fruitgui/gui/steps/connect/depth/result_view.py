@@ -110,7 +110,7 @@ class ResultView(Card):
 
     def _add_figure(self, row: int, figure: Figure) -> None:
         right = Qt.AlignmentFlag.AlignRight
-        self._table.addWidget(label(figure_name(figure)), row, 0)
+        self._table.addWidget(label(figure_name(figure.what)), row, 0)
         typed = "" if figure.what == "flatness" else mm(figure.typed_m, 1)
         self._table.addWidget(label(typed), row, 1, right)
         self._table.addWidget(label(mm(figure.before_m, 1), "dim"), row, 2, right)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication
 
-from fruitgui.calibration.depth.measured import LEAST_RAISED_M, DepthFit, DepthReason, DepthRefusal, Figure
+from fruitgui.calibration.depth.measured import LEAST_RAISED_M, DepthFit, DepthReason, DepthRefusal
 from fruitgui.calibration.depth.sureness import Outlook
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.steps.connect.depth.course import Stage, Typed
@@ -125,7 +125,7 @@ def _raised_text(sight: Sight, typed: Typed) -> Condition:
     return Condition("good", text.format(length=mm(sight.length_m)))
 
 
-def figure_name(figure: Figure) -> str:
+def figure_name(what: str) -> str:
     """Return what a figure is of."""
     return {
         "distance": translate("Depth", "Distance of the belt"),
@@ -133,7 +133,17 @@ def figure_name(figure: Figure) -> str:
         "raised": translate("Depth", "How far the sensor was raised"),
         "ball": translate("Depth", "Diameter of the ball"),
         "flatness": translate("Depth", "Unevenness of the belt"),
-    }[figure.what]
+    }[what]
+
+
+def length_name(what: str) -> str:
+    """Return what a typed length is of, within a sentence."""
+    return {
+        "distance": translate("Depth", "the distance of the belt"),
+        "height": translate("Depth", "the height of the box"),
+        "raised": translate("Depth", "how far the sensor was raised"),
+        "ball": translate("Depth", "the diameter of the ball"),
+    }[what]
 
 
 def verdict_text(fit: DepthFit) -> str:
@@ -246,4 +256,8 @@ def reason_words(reason: DepthReason) -> tuple[str, str]:
             translate("Depth", "Check what was typed, in millimetres."),
         ),
     }
-    return known.get(reason.code, (reason.what, reason.remedy))
+    what, remedy = known.get(reason.code, (reason.what, reason.remedy))
+    if reason.about:
+        text = translate("Depth", "{what} Most in doubt: {length}.")
+        what = text.format(what=what, length=length_name(reason.about))
+    return what, remedy
