@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from fruitgui.simulation.body import Body
+from fruitgui.simulation.device import Device
 from fruitgui.simulation.fruit import KINDS
 from fruitgui.simulation.kinect import DepthModel
 from fruitgui.simulation.packing import clusters, stream
@@ -70,7 +71,13 @@ class LineOptions:
             scale_error=much * SCALE_ERROR,
             offset_m=much * OFFSET_M,
         )
-        return make_setting(self.rig_seed, self.layout, self.sensors, True, conditions)
+        setting = make_setting(self.rig_seed, self.layout, self.sensors, True, conditions)
+        return replace(setting, devices=tuple(map(_another, setting.devices))) if much else setting
+
+
+def _another(device: Device) -> Device:
+    """Return a device under a serial of its own: what is kept of one that errs is not put on one that does not."""
+    return replace(device, serial=f"{device.serial}D")
 
 
 def supply(options: LineOptions, setting: Setting) -> Iterator[list[Body]]:

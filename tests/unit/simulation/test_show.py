@@ -193,6 +193,15 @@ def test_a_carton_and_a_ball_are_shown_for_measuring_depth() -> None:
     assert raised_px(frames_of(show, Showing.EMPTY, 2)[0], empty[0]) < 2000, "they are gone again"
 
 
+def test_devices_that_err_are_others_at_the_same_places() -> None:
+    perfect, erring = OPTIONS.setting().devices, replace(OPTIONS, depth_error=1.0).setting().devices
+    for one, other in zip(perfect, erring, strict=True):
+        assert np.array_equal(one.pose.matrix, other.pose.matrix)
+        assert (one.depth_model.scale_error, one.depth_model.offset_m, one.depth_model.radial_error) == (0.0, 0.0, 0.0)
+        assert other.depth_model.scale_error != 0.0 != other.depth_model.offset_m
+        assert one.serial != other.serial, "what is kept of the one is not put on the other"
+
+
 def test_raised_sensors_see_the_bare_belt_from_farther_away() -> None:
     show = Show(OPTIONS)
     empty, higher = (frames_of(show, showing, 2) for showing in (Showing.EMPTY, Showing.RAISED))

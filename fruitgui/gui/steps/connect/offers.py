@@ -93,7 +93,7 @@ def preset_name(source: Source) -> str:
         "opposed_touching": translate("Connect", "Two sensors, fruit that touch, and other things"),
         "opposed_fast": translate("Connect", "Two sensors over a fast belt"),
         "opposed_projectors": translate("Connect", "Two sensors whose projectors take turns"),
-        "opposed_depth": translate("Connect", "Two sensors whose depth is off"),
+        "depth_off": translate("Connect", "Two sensors whose depth is off"),
     }
     return names.get(source.name, source.name)
 
