@@ -31,8 +31,8 @@ from fruitgui.gui.shots.depth_bench import (
 from fruitgui.gui.shots.frozen import frozen_sources
 from fruitgui.gui.steps.connect.depth.course import Course, Stage, Typed
 from fruitgui.gui.steps.connect.depth.outlook_label import OutlookLabel
+from fruitgui.gui.steps.connect.depth.reason_words import reason_words
 from fruitgui.gui.steps.connect.depth.wizard import DepthWizard
-from fruitgui.gui.steps.connect.depth.words import reason_words
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.steps.connect.steady_words import correction_text, light, warmth
 from fruitgui.gui.steps.connect.words import colour_lock

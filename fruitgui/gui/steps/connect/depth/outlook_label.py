@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from functools import partial
 
+from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QLabel, QWidget
 
 from fruitgui.calibration.depth.measured import DepthRefusal
 from fruitgui.calibration.depth.sureness import Outlook, outlook
+from fruitgui.gui.numbers import number_text
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.steps.connect.depth.course import Course, Stage
-from fruitgui.gui.steps.connect.depth.words import outlook_text
+from fruitgui.gui.steps.connect.depth.reason_words import reason_words
 from fruitgui.gui.widgets.cards import set_health
+
+translate = QCoreApplication.translate
 
 
 class OutlookLabel(QLabel):
@@ -53,3 +57,17 @@ class OutlookLabel(QLabel):
         self.setText("" if known is None else outlook_text(known, self._raised_mm * 1e-3))
         set_health(self, "warn" if isinstance(known, DepthRefusal) else "")
         self.setVisible(known is not None)
+
+
+def outlook_text(known: Outlook | DepthRefusal, raised_m: float) -> str:
+    """Return what is known before the sensor is raised, and what raising it by so much adds."""
+    if isinstance(known, DepthRefusal):
+        return " ".join(reason_words(known.reasons[0]))
+    now, then = known.now, known.raised(raised_m)
+    text = translate(
+        "Depth",
+        "Known so far: scale ±{scale} %, offset ±{offset} mm. With this raise: about ±{scale2} %, ±{offset2} mm.",
+    )
+    scale, scale2 = (number_text(196.0 * one.scale_std, 1) for one in (now, then))
+    offset, offset2 = (number_text(1960.0 * one.offset_std_m, 0) for one in (now, then))
+    return text.format(scale=scale, offset=offset, scale2=scale2, offset2=offset2)

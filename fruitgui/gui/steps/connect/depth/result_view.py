@@ -7,11 +7,11 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
 from fruitgui.calibration.depth.measured import DepthFit, DepthRefusal, Figure, Sureness
 from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.steps.connect.depth.reason_words import reason_words
 from fruitgui.gui.steps.connect.depth.words import (
     figure_name,
     missing_texts,
     mm,
-    reason_words,
     sureness_name,
     terms_text,
     verdict_text,

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication
 
-from fruitgui.calibration.depth.measured import LEAST_RAISED_M, DepthFit, DepthReason, DepthRefusal
-from fruitgui.calibration.depth.sureness import Outlook
+from fruitgui.calibration.depth.measured import LEAST_RAISED_M, DepthFit
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.steps.connect.depth.course import Stage, Typed
 from fruitgui.gui.steps.connect.words import Condition
@@ -63,20 +62,6 @@ def rules(stage: Stage) -> tuple[str, ...]:
         ),
         Stage.RESULT: (),
     }[stage]
-
-
-def outlook_text(known: Outlook | DepthRefusal, raised_m: float) -> str:
-    """Return what is known before the sensor is raised, and what raising it by so much adds."""
-    if isinstance(known, DepthRefusal):
-        return " ".join(reason_words(known.reasons[0]))
-    now, then = known.now, known.raised(raised_m)
-    text = translate(
-        "Depth",
-        "Known so far: scale ±{scale} %, offset ±{offset} mm. With this raise: about ±{scale2} %, ±{offset2} mm.",
-    )
-    scale, scale2 = (number_text(196.0 * one.scale_std, 1) for one in (now, then))
-    offset, offset2 = (number_text(1960.0 * one.offset_std_m, 0) for one in (now, then))
-    return text.format(scale=scale, offset=offset, scale2=scale2, offset2=offset2)
 
 
 def seen_text(sight: Sight | None, typed: Typed) -> Condition:
@@ -192,72 +177,3 @@ def missing_texts(fit: DepthFit) -> tuple[str, ...]:
         "wider": translate("Depth", "The belt fills too little of the picture to tell how it bends."),
     }
     return tuple(known[one] for one in fit.missing.values())
-
-
-def reason_words(reason: DepthReason) -> tuple[str, str]:
-    """Return what is wrong with the measurements, and what to do."""
-    known = {
-        "belt_not_seen": (
-            translate("Depth", "No belt was seen."),
-            translate("Depth", "Let the sensor look at the bare belt from half a metre to two metres."),
-        ),
-        "board_not_seen": (
-            translate("Depth", "No flat lid was seen above the belt."),
-            translate("Depth", "Use a flat, dull lid of at least 15 × 15 cm, level and amid the picture."),
-        ),
-        "ball_not_seen": (
-            translate("Depth", "No ball of the typed size was seen."),
-            translate("Depth", "Put one dull ball on the bare belt amid the picture, and type its diameter."),
-        ),
-        "not_flat": (
-            translate("Depth", "Belt or lid is not flat."),
-            translate("Depth", "Use a stiff board, or a place where the belt lies on its table."),
-        ),
-        "scene_moved": (
-            translate("Depth", "Something moved while pictures were taken."),
-            translate("Depth", "Stop the belt, and keep hands away."),
-        ),
-        "sensor_moved": (
-            translate("Depth", "Sensor or belt was moved between two measurements."),
-            translate("Depth", "Begin again with the bare belt."),
-        ),
-        "height_differs": (
-            translate("Depth", "The box is not as high as was typed."),
-            translate("Depth", "Type the height of its upper side over the belt, in millimetres."),
-        ),
-        "raised_belt_not_seen": (
-            translate("Depth", "The belt was not seen by the raised sensor."),
-            translate("Depth", "Clear the belt, and raise the sensor straight up, so that it still looks at the belt."),
-        ),
-        "raised_too_little": (
-            translate("Depth", "The two heights of the sensor are too near to each other."),
-            translate("Depth", "Raise it by 20 cm or more."),
-        ),
-        "raised_differs": (
-            translate("Depth", "The sensor was not raised by as much as was typed."),
-            translate(
-                "Depth", "Measure how much higher its glass is than at first, straight up, and type it in millimetres."
-            ),
-        ),
-        "too_few_heights": (
-            translate("Depth", "One height alone tells nothing."),
-            translate("Depth", "Take a box or a ball of known size, or raise the sensor, as well."),
-        ),
-        "nothing_decided": (
-            translate("Depth", "The heights are too small to tell more than is known of such devices."),
-            translate("Depth", "Use a higher box, 15 cm or more, or raise the sensor farther, and use a tape."),
-        ),
-        "typed_disagrees": (
-            translate("Depth", "What was typed does not agree with the other measurements."),
-            translate("Depth", "Measure again; see that the ball lies on the belt itself and that the lid is level."),
-        ),
-        "implausible": (
-            translate("Depth", "No working sensor errs as much as this would mean."),
-            translate("Depth", "Check what was typed, in millimetres."),
-        ),
-    }
-    what, remedy = known.get(reason.code, (reason.what, reason.remedy))
-    if reason.about:
-        text = translate("Depth", "{what} Most in doubt: {length}.")
-        what = text.format(what=what, length=length_name(reason.about))
-    return what, remedy
