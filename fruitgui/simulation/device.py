@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.random import Generator
 
 from fruitgui.frame import Intrinsics
 from fruitgui.geometry.pose import Pose
+from fruitgui.geometry.rotation import rotation_from_vector
 from fruitgui.simulation.kinect import DepthModel
 from fruitgui.simulation.light import ColorModel
 
@@ -19,6 +21,9 @@ DEPTH_FOCAL_RATIO = 580.0 / 525.0
 
 COLOR_IN_DEPTH_M = 0.025
 """The colour camera stands this far to the right of the infrared camera."""
+
+TURNED_RAD = float(np.radians(0.7))
+"""A hand that raises a sensor turns it a little, about each axis."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,3 +62,10 @@ def depth_camera_of(color: Intrinsics) -> Intrinsics:
     """Return the infrared camera that goes with a colour camera: same picture size, narrower view."""
     focal = color.fx * DEPTH_FOCAL_RATIO
     return Intrinsics(color.width, color.height, focal, focal, (color.width - 1) / 2, (color.height - 1) / 2)
+
+
+def raised(device: Device, by_m: float, rng: Generator) -> Device:
+    """Return a sensor that a hand raised: its colour lens by so much straight up, and turned a little meanwhile."""
+    turn = rotation_from_vector(rng.normal(0.0, TURNED_RAD, 3))
+    pose = device.pose
+    return replace(device, pose=Pose(turn @ pose.rotation, pose.translation_m + np.array([0.0, 0.0, by_m])))

@@ -13,7 +13,7 @@ from fruitgui.frame import Frame
 from fruitgui.sensors.sensor import ColorLock, Projector, SensorInfo
 from fruitgui.simulation.body import Body
 from fruitgui.simulation.depth_bench import ORANGE
-from fruitgui.simulation.device import Device
+from fruitgui.simulation.device import Device, raised
 from fruitgui.simulation.foreign import box_of
 from fruitgui.simulation.fruit import ball
 from fruitgui.simulation.light import make_light
@@ -29,11 +29,14 @@ _INSTANT_S = 1e-6
 SHOWN_BOARD_M, SHOWN_BALL_M = (0.40, 0.30, 0.20), 0.20
 """A carton whose lid is level, and a ball: what a device's depth is measured with."""
 
+SHOWN_RAISE_M = 0.30
+"""So much higher sensors hang for the second height that depth is measured from."""
+
 BOARD_NUMBER, BALL_NUMBER = -1_000_001, -1_000_002
 
 
 class Showing(StrEnum):
-    """What lies before the sensors."""
+    """What lies before the sensors; raised is a bare belt, seen from higher."""
 
     LINE = "line"
     PAUSED = "paused"
@@ -41,6 +44,7 @@ class Showing(StrEnum):
     EMPTY = "empty"
     BOARD = "board"
     BALL = "ball"
+    RAISED = "raised"
 
 
 class Show:
@@ -57,6 +61,9 @@ class Show:
         light = make_light(np.random.default_rng([options.rig_seed, 11]), LUX)
         devices, surroundings = self._setting.devices, self._setting.surroundings
         self._place = Simulation(Scene(options.seed, devices, surroundings, light, (), constant(0.0), ()))
+        rng = np.random.default_rng([options.rig_seed, 12])
+        higher = tuple(raised(device, SHOWN_RAISE_M, rng) for device in devices)
+        self._higher = Simulation(replace(self._place.scene, devices=higher))
         self._supply = supply(options, self._setting)
         self._bodies: list[Body] = []
         self._more = True
@@ -97,10 +104,11 @@ class Show:
     def _scene(self, device: Device, number: int) -> Simulation:
         """Return a scene of one capture."""
         bodies, speed, at_s = self._before(self.showing)
-        scene = self._place.scene
+        place = self._higher if self.showing is Showing.RAISED else self._place
+        scene = place.scene
         seed = (scene.seed << 40) + number
         capture = Capture(at_s, device.sensor)
-        return self._place.showing(replace(scene, seed=seed, bodies=tuple(bodies), speed=speed, captures=(capture,)))
+        return place.showing(replace(scene, seed=seed, bodies=tuple(bodies), speed=speed, captures=(capture,)))
 
     def _before(self, showing: Showing) -> tuple[Sequence[Body], SpeedProfile, float]:
         """Return what lies before the sensors, how the belt moves, and the time of the belt."""
@@ -118,7 +126,7 @@ class Show:
 
     def _resting(self, showing: Showing) -> Sequence[Body]:
         """Return what lies on a belt that rests."""
-        if showing is Showing.EMPTY:
+        if showing in (Showing.EMPTY, Showing.RAISED):
             return ()
         if showing is Showing.BOARD:
             return (Body(BOARD_NUMBER, "box", carton(), (0.0, 0.0), foreign=True),)

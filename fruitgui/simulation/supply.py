@@ -8,10 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from fruitgui.simulation.body import Body
+from fruitgui.simulation.device import Device
 from fruitgui.simulation.fruit import KINDS
+from fruitgui.simulation.kinect import DepthModel
 from fruitgui.simulation.packing import clusters, stream
 from fruitgui.simulation.scenes import sight_of
-from fruitgui.simulation.setting import USUAL, Setting, make_setting
+from fruitgui.simulation.setting import Conditions, Setting, make_setting
 from fruitgui.simulation.simulation import TrueFruit, measured_on_mesh
 from fruitgui.simulation.stock import made_restless, mixed
 
@@ -20,6 +22,9 @@ BEFORE_SIGHT_M = 0.25
 """The first fruit start so far before the sensors' sight; what is as far behind it has left."""
 
 LUX = 500.0
+
+SCALE_ERROR, OFFSET_M, RADIAL_ERROR = 0.02, 0.02, 0.008
+"""Devices as sold differ by up to so much in scale and offset, and bend planes by so much in the picture's corners."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +45,7 @@ class LineOptions:
         fruit: how many pieces come; None for ever.
         settling_s: after which the slowest projector's light is steady. From then on projectors are switched, and where
             two shine on one place they disturb each other; 0 for projectors that shine always and disturb nobody.
+        depth_error: how far depth of the devices is off, 1 for as much as such devices are as sold; 0 for not at all.
     """
 
     rig_seed: int = 1
@@ -55,10 +61,23 @@ class LineOptions:
     restless: float = 0.35
     fruit: int | None = None
     settling_s: float = 0.0
+    depth_error: float = 0.0
 
     def setting(self) -> Setting:
         """Return the rig in its place."""
-        return make_setting(self.rig_seed, self.layout, self.sensors, True, USUAL)
+        much = self.depth_error
+        conditions = Conditions(
+            depth_model=DepthModel(radial_error=much * RADIAL_ERROR),
+            scale_error=much * SCALE_ERROR,
+            offset_m=much * OFFSET_M,
+        )
+        setting = make_setting(self.rig_seed, self.layout, self.sensors, True, conditions)
+        return replace(setting, devices=tuple(map(_another, setting.devices))) if much else setting
+
+
+def _another(device: Device) -> Device:
+    """Return a device under a serial of its own: what is kept of one that errs is not put on one that does not."""
+    return replace(device, serial=f"{device.serial}D")
 
 
 def supply(options: LineOptions, setting: Setting) -> Iterator[list[Body]]:

@@ -1,4 +1,4 @@
-"""Looks at one sensor while its depth is being measured: what of belt, board or ball it sees now."""
+"""Looks at one sensor while its depth is being measured: what of belt, board or ball it sees now, and from where."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from fruitgui.calibration import planes
 from fruitgui.calibration.depth.measured import SeenFlat
-from fruitgui.calibration.depth.seeing import read_rise_m, see_ball, see_belt, see_board
+from fruitgui.calibration.depth.seeing import read_raised_m, read_rise_m, see_ball, see_belt, see_board, see_from_higher
 from fruitgui.calibration.still import Still, average
 from fruitgui.errors import FruitguiError
 from fruitgui.frame import Bools
@@ -28,11 +28,12 @@ class Looked(StrEnum):
     BELT = "belt"
     BOARD = "board"
     BALL = "ball"
+    RAISED = "raised"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Aim:
-    """What is looked for, how high or wide it was typed to be, m, and the belt as it was taken first."""
+    """What is looked for, how high or wide or how far raised it was typed to be, m, and the belt as it was at first."""
 
     what: Looked
     length_m: float = 0.0
@@ -47,7 +48,7 @@ class Sight:
         what: was looked for.
         on: (H, W) pixels of it; None where it is not seen.
         length_m: of the belt its distance straight ahead, of a board its height over the belt, of a ball its
-            diameter as typed; as read, uncorrected.
+            diameter as typed, of a raised sensor how much farther it is from the belt; as read, uncorrected.
         moving: something moves.
     """
 
@@ -65,6 +66,8 @@ def sight_of(still: Still, aim: Aim) -> Sight:
         if belt is None:
             return Sight(Looked.BELT, None, 0.0, moving)
         return Sight(Looked.BELT, belt.on, float(1.0 / belt.coefficients[2]), moving)
+    if aim.what is Looked.RAISED:
+        return _from_higher(still, aim.belt, aim.length_m, moving=moving)
     plane = planes.plane_of(aim.belt.coefficients)
     if aim.what is Looked.BOARD:
         board = see_board(still, plane, aim.length_m)
@@ -72,6 +75,13 @@ def sight_of(still: Still, aim: Aim) -> Sight:
         return Sight(Looked.BOARD, on, length_m, moving)
     ball = see_ball(still, plane, aim.length_m / 2)
     return Sight(Looked.BALL, None if ball is None else ball.on, aim.length_m, moving)
+
+
+def _from_higher(still: Still, belt: SeenFlat, raised_m: float, *, moving: bool) -> Sight:
+    higher = see_from_higher(still, belt, raised_m)
+    if higher is None:
+        return Sight(Looked.RAISED, None, 0.0, moving)
+    return Sight(Looked.RAISED, higher.on, read_raised_m(higher.coefficients, belt.coefficients), moving)
 
 
 MOVING = 0.005

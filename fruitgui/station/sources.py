@@ -205,6 +205,7 @@ PRESETS: Mapping[str, LineOptions] = {
     "opposed_touching": LineOptions(rig_seed=1, layout="opposed", touching=0.3, foreign=0.05),
     "opposed_fast": LineOptions(rig_seed=1, layout="opposed", speed_m_s=0.3, rate_hz=10.0),
     "opposed_projectors": LineOptions(rig_seed=1, layout="opposed", rate_hz=15.0, settling_s=0.15),
+    "depth_off": LineOptions(rig_seed=1, layout="opposed", depth_error=1.0),
 }
 """Simulated rigs by name; those named `opposed…` are one rig on different lines."""
 

@@ -1,24 +1,38 @@
-"""Correcting a sensor's depth in the window: belt, box, ball, result; kept, undone, taken away."""
+"""Correcting a sensor's depth in the window: belt, box, ball, belt from higher, result; kept, undone, taken away."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractButton
+from PySide6.QtWidgets import QAbstractButton, QLabel
 from pytestqt.qtbot import QtBot
 
-from fruitgui.calibration.depth.measured import DepthReason
+from fruitgui.calibration.depth.measured import LEAST_RAISED_M, DepthReason, RaisedBoard
+from fruitgui.calibration.depth.seeing import see_belt
 from fruitgui.calibration.light_drift import LightDrift
+from fruitgui.calibration.still import average
 from fruitgui.calibration.warmup import Warmth, Warmup
 from fruitgui.gui.session import Session
-from fruitgui.gui.shots.depth_bench import BALL_M, BIASED, BOX_M, DepthBench, bench_distance_m, frozen_bench
+from fruitgui.gui.shots.depth_bench import (
+    BALL_M,
+    BIASED,
+    BOX_M,
+    RAISE_M,
+    DepthBench,
+    bench_distance_m,
+    bench_frames,
+    frozen_bench,
+)
 from fruitgui.gui.shots.frozen import frozen_sources
-from fruitgui.gui.steps.connect.depth.course import Stage, Typed
+from fruitgui.gui.steps.connect.depth.course import Course, Stage, Typed
+from fruitgui.gui.steps.connect.depth.outlook_label import OutlookLabel
+from fruitgui.gui.steps.connect.depth.reason_words import reason_words
 from fruitgui.gui.steps.connect.depth.wizard import DepthWizard
-from fruitgui.gui.steps.connect.depth.words import reason_words
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.steps.connect.steady_words import correction_text, light, warmth
 from fruitgui.gui.steps.connect.words import colour_lock
@@ -33,7 +47,7 @@ from fruitgui.station.workflow import State, Step
 from fruitgui.station.workspace import open_workspace
 
 LONG_MS = 60_000
-TYPED = Typed(round(1e3 * bench_distance_m()), 1e3 * BOX_M, 1e3 * BALL_M)
+TYPED = Typed(round(1e3 * bench_distance_m()), 1e3 * BOX_M, 1e3 * BALL_M, 1e3 * RAISE_M)
 
 
 @pytest.fixture
@@ -105,6 +119,7 @@ def test_belt_box_and_ball_make_a_correction_that_is_kept_undone_and_taken_away(
     assert fit is not None
     told = {one.what: one for one in fit.figures}
     assert abs(told["ball"].after_m - BALL_M) < 0.001
+    assert abs(told["raised"].after_m - RAISE_M) < 0.002 < abs(told["raised"].before_m - RAISE_M)
     assert page.main_action is wizard.choices.keep
     wizard.choices.keep.trigger()
     assert wizard.course is None
@@ -137,6 +152,7 @@ def test_a_slip_of_the_pen_is_refused_and_going_back_keeps_nothing(
     assert page.main_action is wizard.choices.again
     assert wizard.choices.keep not in page.other_actions
     assert wizard.result.word.text().startswith("This does not do yet")
+    qtbot.waitUntil(lambda: any(text.endswith("Most in doubt: the height of the box.") for text in _shown(wizard)))
     wizard.choices.again.trigger()
     assert wizard.course is not None
     assert wizard.course.stage is Stage.BELT
@@ -169,6 +185,115 @@ def test_the_preview_marks_what_is_found_and_says_what_is_not(
     panel.show_typed(TYPED)
     qtbot.waitUntil(lambda: panel.seen.text() == "The ball is seen.", timeout=LONG_MS)
     wizard.choices.back.trigger()
+
+
+def _shown(wizard: DepthWizard) -> set[str]:
+    return {one.text() for one in wizard.result.findChildren(QLabel) if one.isVisible()}
+
+
+def _skip(wizard: DepthWizard, stage: Stage) -> None:
+    assert wizard.choices.skip in wizard.actions_now
+    wizard.choices.skip.trigger()
+    assert wizard.course is not None
+    assert wizard.course.stage is stage
+
+
+def test_belt_from_two_heights_is_enough_and_less_is_not_offered(
+    qtbot: QtBot, page: ConnectPage, bench: DepthBench
+) -> None:
+    wizard = _begin(qtbot, page)
+    _take(qtbot, wizard, bench, Looked.BELT)
+    _skip(wizard, Stage.BALL)
+    _skip(wizard, Stage.RAISED)
+    assert wizard.choices.skip not in wizard.actions_now, "one height alone tells nothing"
+    _take(qtbot, wizard, bench, Looked.RAISED)
+    qtbot.waitUntil(lambda: page.main_action is wizard.choices.keep, timeout=LONG_MS)
+    assert wizard.course is not None
+    fit = wizard.course.fit
+    assert fit is not None
+    assert fit.decided == ("scale", "offset_m", "radial_2")
+    assert "put the sensor back" in page.hint
+    said = {"How far the sensor was raised", "one height alone", "all of it"}
+    qtbot.waitUntil(lambda: said <= _shown(wizard), timeout=LONG_MS)
+    wizard.choices.higher.trigger()
+    assert wizard.course.stage is Stage.RAISED
+    assert wizard.choices.skip in wizard.actions_now, "one more height is not needed"
+    wizard.choices.undo.trigger()
+    assert wizard.course.fit is fit
+    assert page.main_action is wizard.choices.keep
+
+
+def test_a_second_height_that_does_not_do_is_said_and_cannot_be_taken(
+    qtbot: QtBot, page: ConnectPage, bench: DepthBench
+) -> None:
+    wizard = _begin(qtbot, page)
+    panel = wizard.panel
+    _take(qtbot, wizard, bench, Looked.BELT)
+    _skip(wizard, Stage.BALL)
+    _skip(wizard, Stage.RAISED)
+    qtbot.waitUntil(lambda: panel.seen.text() == "The sensor hangs where it was: raise it.", timeout=LONG_MS)
+    assert not wizard.choices.take.isEnabled()
+    bench.lay(Looked.RAISED)
+    qtbot.waitUntil(wizard.choices.take.isEnabled, timeout=LONG_MS)
+    assert panel.seen.text().startswith("The belt is seen about 30")
+    for typed_mm, said in ((1e3 * LEAST_RAISED_M - 5.0, "too near to each other"), (450.0, "not what is typed")):
+        panel.show_typed(replace(TYPED, raised_mm=typed_mm))
+        qtbot.waitUntil(lambda said=said: said in panel.seen.text(), timeout=LONG_MS)  # type: ignore[misc]
+        assert not wizard.choices.take.isEnabled()
+    panel.show_typed(TYPED)
+    dark = [replace(one, depth_mm=np.zeros_like(one.depth_mm)) for one in bench_frames(Looked.RAISED)]
+    bench.source.sensors[0].frames = dark
+    qtbot.waitUntil(lambda: panel.seen.text().startswith("The belt is not seen from there"), timeout=LONG_MS)
+    assert not wizard.choices.take.isEnabled()
+    wizard.end()
+
+
+def test_every_step_can_be_undone_and_stopped(
+    qtbot: QtBot, benched: Session, page: ConnectPage, bench: DepthBench
+) -> None:
+    wizard = _begin(qtbot, page)
+    assert wizard.choices.undo not in wizard.actions_now
+    _take(qtbot, wizard, bench, Looked.BELT)
+    _take(qtbot, wizard, bench, Looked.BOARD)
+    _skip(wizard, Stage.RAISED)
+    bench.lay(Looked.RAISED)
+    qtbot.waitUntil(wizard.choices.take.isEnabled, timeout=LONG_MS)
+    for choice in (wizard.choices.take, wizard.choices.skip):
+        choice.trigger()
+        (task,) = benched.tasks.running
+        task.cancel()
+        qtbot.waitUntil(lambda: not benched.tasks.running, timeout=LONG_MS)
+        assert wizard.course is not None
+        assert (wizard.course.stage, wizard.course.raised) == (Stage.RAISED, ())
+        assert page.main_action is wizard.choices.take
+    for stage in (Stage.BALL, Stage.BOARD):
+        wizard.choices.undo.trigger()
+        assert wizard.course.stage is stage
+    assert wizard.course.boards == ()
+    assert wizard.course.belt is not None
+    wizard.choices.undo.trigger()
+    assert wizard.course.belt is None
+    assert wizard.choices.undo not in wizard.actions_now
+    wizard.end()
+
+
+def test_what_a_raise_adds_is_said_before_a_person_climbs(qtbot: QtBot) -> None:
+    belt, box = (average(list(bench_frames(what))) for what in (Looked.BELT, Looked.BOARD))
+    seen = see_belt(belt)
+    taken = Course("kinect_1").taken(belt, seen, TYPED).taken(box, None, TYPED)
+    label = OutlookLabel()
+    qtbot.addWidget(label)
+    label.show_raise(300.0)
+    label.show_course(taken)
+    assert label.text() == "", "not at the stage of the ball"
+    label.show_course(taken.passed())
+    qtbot.waitUntil(lambda: label.text().startswith("Known so far: scale ±1.0"), timeout=LONG_MS)
+    little = label.text()
+    label.show_raise(900.0)
+    assert label.text() != little
+    wrong = replace(taken.passed(), boards=(RaisedBoard(box, 0.4),))
+    label.show_course(wrong)
+    qtbot.waitUntil(lambda: label.text().startswith("The box is not as high as was typed."), timeout=LONG_MS)
 
 
 def test_it_rests_while_nobody_looks(qtbot: QtBot, page: ConnectPage) -> None:
@@ -207,7 +332,8 @@ def test_everything_that_is_pressed_is_large_enough_for_a_glove(qtbot: QtBot, pa
 @pytest.mark.parametrize(
     "code",
     ["belt_not_seen", "board_not_seen", "ball_not_seen", "not_flat", "scene_moved", "sensor_moved", "height_differs",
-     "too_few_heights", "nothing_decided", "typed_disagrees", "implausible"],
+     "too_few_heights", "nothing_decided", "typed_disagrees", "implausible",
+     "raised_belt_not_seen", "raised_too_little", "raised_differs"],
 )  # fmt: skip
 def test_every_reason_has_words_and_a_remedy(code: str) -> None:
     what, remedy = reason_words(DepthReason(code, "in the core's words", "in the core's words"))

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fruitgui.calibration.depth.measured import BallOnBelt, RaisedBoard, SeenBall, SeenFlat
-from fruitgui.calibration.depth.seeing import sphere_depth_m
+from fruitgui.calibration.depth.measured import LENS_ASIDE_M, BallOnBelt, RaisedBoard, RaisedSensor, SeenBall, SeenFlat
+from fruitgui.calibration.depth.seeing import read_turn_rad, sphere_depth_m
 from fruitgui.frame import F64
 from fruitgui.sensors.depth_correction import DepthCorrection
 
@@ -38,7 +38,7 @@ class Problem:
     """What is to be explained.
 
     Attributes:
-        belt: as read. boards, balls: as read, each with what was typed of it.
+        belt: as read. boards, balls: as read, each with what was typed of it. raised: the belt as read from higher.
         distance_m, distance_std_m: typed, of the belt straight ahead; None where it was not.
         free: which of the four terms are fitted.
     """
@@ -48,12 +48,13 @@ class Problem:
     balls: Sequence[tuple[SeenBall, BallOnBelt]]
     distance_m: float | None
     distance_std_m: float
+    raised: Sequence[tuple[SeenFlat, RaisedSensor]] = ()
     free: tuple[bool, ...] = (True, True, True, True)
 
     @property
     def flats(self) -> list[SeenFlat]:
-        """The belt, then the boards."""
-        return [self.belt, *(seen for seen, _ in self.boards)]
+        """The belt, then the boards, then the belt from higher."""
+        return [self.belt, *(seen for seen, _ in self.boards), *(seen for seen, _ in self.raised)]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -153,6 +154,12 @@ class _Unknowns:
             height_m = _rise_m(belt, self._flat(x, number)[0], seen.rays.mean(axis=0))
             std_m = float(np.hypot(told.height_std_m, 2**0.5 * PLANE_STD_M))
             offs.append(("height", number - 1, (height_m - told.height_m) / std_m))
+        for number, (seen, told_raised) in enumerate(problem.raised):
+            higher, _ = self._flat(x, 1 + len(problem.boards) + number)
+            raised_m = float(1.0 / np.linalg.norm(higher) - 1.0 / np.linalg.norm(belt))
+            turned_m = LENS_ASIDE_M * read_turn_rad(seen, problem.belt)
+            std_m = float(np.hypot(np.hypot(told_raised.raised_std_m, turned_m), 2**0.5 * PLANE_STD_M))
+            offs.append(("raised", number, (raised_m - told_raised.raised_m) / std_m))
         for number, (_, told_ball) in enumerate(problem.balls):
             centre, radius_m = self._ball(x, number)
             rests = (_over_m(belt, centre) - radius_m) / float(np.hypot(RESTING_STD_M, PLANE_STD_M))

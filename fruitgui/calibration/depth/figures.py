@@ -20,6 +20,9 @@ def figures_of(problem: Problem, correction: DepthCorrection) -> tuple[Figure, .
     for number, (_, told) in enumerate(problem.boards):
         lengths = (told.height_m, before.heights_m[number], after.heights_m[number])
         figures.append(Figure("height", *lengths, 2**0.5 * PLANE_STD_M))
+    for number, (_, told_raised) in enumerate(problem.raised):
+        lengths = (told_raised.raised_m, before.raised_m[number], after.raised_m[number])
+        figures.append(Figure("raised", *lengths, 2**0.5 * PLANE_STD_M))
     for number, (_, told_ball) in enumerate(problem.balls):
         (first, _), (second, std_m) = before.balls_m[number], after.balls_m[number]
         figures.append(Figure("ball", told_ball.diameter_m, first, second, std_m))
@@ -38,6 +41,8 @@ class _Reading:
             board, _ = _plane(seen, correction)
             ray = seen.rays.mean(axis=0)
             self.heights_m.append(_over_m(belt, ray / (board @ ray)))
+        higher = [_plane(seen, correction)[0] for seen, _ in problem.raised]
+        self.raised_m = [float(1.0 / np.linalg.norm(one) - 1.0 / np.linalg.norm(belt)) for one in higher]
         self.balls_m = [_diameter_m(ball, belt, correction) for ball, _ in problem.balls]
 
 

@@ -23,6 +23,15 @@ DISTANCE_STD_M = 0.004
 DIAMETER_STD_M = 0.0005
 """A ball between two straight edges."""
 
+RAISED_STD_M = 0.0015
+"""How much higher a sensor hangs, by a tape held twice: where behind the glass the lens begins cancels."""
+
+LENS_ASIDE_M = 0.05
+"""A sensor that is turned while it is raised lifts its lens by another length than its edge, so far aside."""
+
+LEAST_RAISED_M = 0.20
+"""From here on a raise alone tells the scale to 1 %, half of what is known of a make."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BareBelt:
@@ -45,14 +54,28 @@ class RaisedBoard:
 
     Attributes:
         still: uncorrected.
-        height_m: typed: of the board's upper side over the belt. Below zero the belt itself was looked at once more by
-            the sensor raised by so much.
+        height_m: typed: of the board's upper side over the belt.
         height_std_m: how sure that is.
     """
 
     still: Still
     height_m: float
     height_std_m: float = HEIGHT_STD_M
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RaisedSensor:
+    """The bare belt once more, seen by the sensor raised straight up.
+
+    Attributes:
+        still: uncorrected.
+        raised_m: typed: how much farther the sensor is from the belt than in the first of all measurements.
+        raised_std_m: how sure that is.
+    """
+
+    still: Still
+    raised_m: float
+    raised_std_m: float = RAISED_STD_M
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,6 +100,7 @@ class Measurements:
     belt: BareBelt
     boards: tuple[RaisedBoard, ...] = ()
     balls: tuple[BallOnBelt, ...] = ()
+    raised: tuple[RaisedSensor, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -123,7 +147,7 @@ class Figure:
     """One length before and after, m.
 
     Attributes:
-        what: `distance`, `height`, `ball`, or `flatness` (root mean square deviation from a plane, typed 0).
+        what: `distance`, `height`, `raised`, `ball`, or `flatness` (root mean square deviation from a plane, typed 0).
         typed_m: what a person measured.
         before_m, after_m: what the device says, uncorrected and corrected.
         std_m: of what it says, from the readings alone.
@@ -137,16 +161,35 @@ class Figure:
 
 
 @dataclass(frozen=True, slots=True)
-class DepthReason:
-    """Why a measurement does not do: a stable word, what is wrong, and what to do.
+class Sureness:
+    """How sure a device's depth would be by a part of the measurements.
 
-    Codes: `belt_not_seen`, `board_not_seen`, `ball_not_seen`, `not_flat`, `scene_moved`, `sensor_moved`,
-    `height_differs`, `too_few_heights`, `nothing_decided`, `typed_disagrees`, `implausible`.
+    Attributes:
+        by: `belt` (one height), `heights` (belt, boards, and the belt from higher), `ball` (belt and balls), or `all`.
+        scale_std: of the scale.
+        offset_std_m: of the offset.
+        depth_std_m: of a depth at the belt.
+    """
+
+    by: str
+    scale_std: float
+    offset_std_m: float
+    depth_std_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class DepthReason:
+    """Why a measurement does not do: a stable word, what is wrong, what to do, and of what `Figure` that is said.
+
+    Codes: `belt_not_seen`, `board_not_seen`, `ball_not_seen`, `raised_belt_not_seen`, `not_flat`, `scene_moved`,
+    `sensor_moved`, `height_differs`, `raised_too_little`, `raised_differs`, `too_few_heights`, `nothing_decided`,
+    `typed_disagrees`, `implausible`.
     """
 
     code: str
     what: str
     remedy: str
+    about: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -167,6 +210,7 @@ class DepthFit:
         distance_m: of the belt, straight ahead.
         depth_std_before_m, depth_std_m: of a depth at that distance, by what is known of such devices and now.
         figures: lengths before and after.
+        sureness: what parts of the measurements tell, and all of them.
         missing: what would decide more, by term: `distance` (tape or larger ball), `wider` (a belt that fills more of
             the picture).
     """
@@ -178,6 +222,7 @@ class DepthFit:
     depth_std_before_m: float
     depth_std_m: float
     figures: tuple[Figure, ...]
+    sureness: tuple[Sureness, ...]
     missing: Mapping[str, str]
 
     def std(self, term: str) -> float:

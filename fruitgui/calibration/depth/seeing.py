@@ -22,6 +22,12 @@ FULL_TILE = 0.6
 FEWEST_TILES = 12
 LEAST_RISE_M, LEAST_BOARD_M2 = 0.02, 0.008
 MOST_LEAN_RAD = float(np.radians(5.0))
+MOST_TURNED_RAD = float(np.radians(15.0))
+"""A sensor that was raised may lean so much otherwise."""
+
+CLOSE_SHARE = 0.2
+"""What is read so far off what was typed is another thing, or a slip of the pen; no device errs so much."""
+
 LEVEL_M = 0.008
 """A lid is looked for in layers so thick: one that leans by 2° over 40 cm lies in three of them."""
 
@@ -67,6 +73,42 @@ def read_rise_m(board: SeenFlat, belt: Plane) -> float:
     """Return how far the middle of a board is read to lie above the belt."""
     ray = board.rays.mean(axis=0)
     return float(belt.height_m(ray / (board.coefficients @ ray)))
+
+
+def see_from_higher(still: Still, belt: SeenFlat, raised_m: float) -> SeenFlat | None:
+    """Return the belt as a raised sensor sees it; None where no plane lies as it did.
+
+    From higher the floor may fill more of the picture than the belt: of planes about where the belt must be the largest
+    is taken, and where there is none the nearest to it.
+
+    Args:
+        still: uncorrected.
+        belt: as read before.
+        raised_m: by how much the sensor was raised, as typed.
+    """
+    normal = planes.plane_of(belt.coefficients).normal
+    offs = [
+        (abs(read_raised_m(one, belt.coefficients) - raised_m), one)
+        for one in planes.candidates(still)
+        if planes.plane_of(one).normal @ normal > np.cos(MOST_TURNED_RAD)
+    ]
+    if not offs:
+        return None
+    close = [one for off_m, one in offs if off_m < CLOSE_SHARE * raised_m]
+    first = close[0] if close else min(offs, key=lambda one: one[0])[1]
+    _, on = planes.refine(still, first, np.ones(still.seen.shape, dtype=bool))
+    return _flat(still, on)
+
+
+def read_raised_m(higher: F64, belt: F64) -> float:
+    """Return how much farther from the belt a sensor is read to be than it was, from the a (3,) of both planes."""
+    return float(1.0 / np.linalg.norm(higher) - 1.0 / np.linalg.norm(belt))
+
+
+def read_turn_rad(higher: SeenFlat, belt: SeenFlat) -> float:
+    """Return by what angle a sensor is read to lean otherwise than it did."""
+    now, then = (planes.plane_of(one.coefficients).normal for one in (higher, belt))
+    return float(np.arccos(min(float(now @ then), 1.0)))
 
 
 def _board(still: Still, belt: Plane, part: Bools, height_m: F64) -> SeenFlat | None:

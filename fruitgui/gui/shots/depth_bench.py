@@ -1,4 +1,4 @@
-"""A frozen sensor before which belt, box and ball can be laid: what measuring its depth is drawn and tested with."""
+"""A frozen sensor before which belt, box and ball can be laid, and that can be raised: its depth is measured so."""
 
 from __future__ import annotations
 
@@ -15,15 +15,16 @@ from fruitgui.station.depth_watch import Looked
 SEED, RIG = 30, 21
 CAPTURES = 6
 BIASED = DepthModel(scale_error=0.012, offset_m=-0.009, radial_error=0.008, fattening_px=1.2)
-BOX_M, BALL_M = 0.20, 0.15
+BOX_M, BALL_M, RAISE_M = 0.20, 0.15, 0.30
 
 
 @cache
 def bench_frames(what: Looked) -> tuple[Frame, ...]:
-    """Return what a biased sensor sees of a bare belt, a box or a ball."""
+    """Return what a biased sensor sees of a bare belt, a box, a ball, or the belt once it is raised."""
     scene = depth_bench(
         SEED + list(Looked).index(what), RIG, BIASED, board_height_m=BOX_M if what is Looked.BOARD else 0.0,
-        ball_m=BALL_M if what is Looked.BALL else 0.0, captures=CAPTURES,
+        ball_m=BALL_M if what is Looked.BALL else 0.0, raised_m=RAISE_M if what is Looked.RAISED else 0.0,
+        captures=CAPTURES,
     )  # fmt: skip
     return tuple(scene.frames())
 
@@ -42,7 +43,7 @@ class DepthBench:
     source: FrozenSource
 
     def lay(self, what: Looked) -> None:
-        """Lay something before the sensor, or nothing but the belt."""
+        """Lay something before the sensor, or nothing but the belt, from where it hangs or from higher."""
         self.source.sensors[0].frames = bench_frames(what)
 
 

@@ -410,6 +410,10 @@
         <translation>Dos sensores cuyos proyectores se turnan</translation>
     </message>
     <message>
+        <source>Two sensors whose depth is off</source>
+        <translation>Dos sensores con error de profundidad</translation>
+    </message>
+    <message>
         <source>not there</source>
         <translation>no está</translation>
     </message>
@@ -723,6 +727,10 @@
         <translation>Pelota</translation>
     </message>
     <message>
+        <source>Higher</source>
+        <translation>Más alto</translation>
+    </message>
+    <message>
         <source>Result</source>
         <translation>Resultado</translation>
     </message>
@@ -749,6 +757,18 @@
     <message>
         <source>2.  Measure its diameter between two straight edges, and type it.</source>
         <translation>2.  Mida su diámetro entre dos cantos rectos y escríbalo.</translation>
+    </message>
+    <message>
+        <source>1.  Clear the belt, and raise the sensor straight up by 20 cm or more: on a block, or in its clamp.</source>
+        <translation>1.  Despeje la cinta, y suba el sensor derecho hacia arriba 20 cm o más: sobre un taco, o en su soporte.</translation>
+    </message>
+    <message>
+        <source>2.  Measure how much higher its glass is now than at first, straight up, and type it.</source>
+        <translation>2.  Mida cuánto más alto está ahora su cristal que al principio, en vertical, y escríbalo.</translation>
+    </message>
+    <message>
+        <source>Known so far: scale ±{scale} %, offset ±{offset} mm. With this raise: about ±{scale2} %, ±{offset2} mm.</source>
+        <translation>Hasta ahora se sabe: escala ±{scale} %, desplazamiento ±{offset} mm. Subiéndolo así: unos ±{scale2} %, ±{offset2} mm.</translation>
     </message>
     <message>
         <source>Looking…</source>
@@ -787,12 +807,36 @@
         <translation>Se ve la tapa, a unos {length} sobre la cinta.</translation>
     </message>
     <message>
+        <source>The two heights are too near to each other: raise it by {length} or more.</source>
+        <translation>Las dos alturas están muy cerca una de otra: súbalo {length} o más.</translation>
+    </message>
+    <message>
+        <source>The belt is not seen from there: let the sensor look at it.</source>
+        <translation>Desde ahí no se ve la cinta: haga que el sensor la mire.</translation>
+    </message>
+    <message>
+        <source>The sensor hangs where it was: raise it.</source>
+        <translation>El sensor está donde estaba: súbalo.</translation>
+    </message>
+    <message>
+        <source>The belt is seen about {length} farther away.</source>
+        <translation>Se ve la cinta unos {length} más lejos.</translation>
+    </message>
+    <message>
+        <source>The belt is seen about {length} farther away; that is not what is typed.</source>
+        <translation>Se ve la cinta unos {length} más lejos; no es lo que está escrito.</translation>
+    </message>
+    <message>
         <source>Distance of the belt</source>
         <translation>Distancia de la cinta</translation>
     </message>
     <message>
         <source>Height of the box</source>
         <translation>Altura de la caja</translation>
+    </message>
+    <message>
+        <source>How far the sensor was raised</source>
+        <translation>Cuánto se subió el sensor</translation>
     </message>
     <message>
         <source>Diameter of the ball</source>
@@ -803,8 +847,40 @@
         <translation>Irregularidad de la cinta</translation>
     </message>
     <message>
+        <source>the distance of the belt</source>
+        <translation>la distancia de la cinta</translation>
+    </message>
+    <message>
+        <source>the height of the box</source>
+        <translation>la altura de la caja</translation>
+    </message>
+    <message>
+        <source>how far the sensor was raised</source>
+        <translation>cuánto se subió el sensor</translation>
+    </message>
+    <message>
+        <source>the diameter of the ball</source>
+        <translation>el diámetro de la pelota</translation>
+    </message>
+    <message>
         <source>Depth at the belt is now right to ±{after}; without a measurement such a sensor may be off by ±{before}.</source>
         <translation>La profundidad en la cinta es ahora correcta a ±{after}; sin medirlo, un sensor así puede equivocarse en ±{before}.</translation>
+    </message>
+    <message>
+        <source>one height alone</source>
+        <translation>una sola altura</translation>
+    </message>
+    <message>
+        <source>{count} heights</source>
+        <translation>{count} alturas</translation>
+    </message>
+    <message>
+        <source>one height and the ball</source>
+        <translation>una altura y la pelota</translation>
+    </message>
+    <message>
+        <source>all of it</source>
+        <translation>todo junto</translation>
     </message>
     <message>
         <source>scale {value} ± {half} %</source>
@@ -823,8 +899,20 @@
         <translation>Sin huincha ni pelota grande, el desplazamiento queda sin conocer: las alturas son correctas; los anchos, menos.</translation>
     </message>
     <message>
-        <source>A higher box would tell the scale.</source>
-        <translation>Una caja más alta diría la escala.</translation>
+        <source>A higher box, or the sensor raised farther, would tell the scale.</source>
+        <translation>Una caja más alta, o el sensor más arriba, diría la escala.</translation>
+    </message>
+    <message>
+        <source>Take a box or a ball of known size, or raise the sensor, as well.</source>
+        <translation>Tome también una caja o una pelota de tamaño conocido, o suba el sensor.</translation>
+    </message>
+    <message>
+        <source>Use a higher box, 15 cm or more, or raise the sensor farther, and use a tape.</source>
+        <translation>Use una caja más alta, de 15 cm o más, o suba más el sensor, y use una huincha.</translation>
+    </message>
+    <message>
+        <source>{what} Most in doubt: {length}.</source>
+        <translation>{what} Lo más dudoso: {length}.</translation>
     </message>
     <message>
         <source>The belt fills too little of the picture to tell how it bends.</source>
@@ -887,20 +975,36 @@
         <translation>Escriba la altura de su cara superior sobre la cinta, en milímetros.</translation>
     </message>
     <message>
+        <source>The belt was not seen by the raised sensor.</source>
+        <translation>El sensor subido no vio la cinta.</translation>
+    </message>
+    <message>
+        <source>Clear the belt, and raise the sensor straight up, so that it still looks at the belt.</source>
+        <translation>Despeje la cinta, y suba el sensor derecho hacia arriba, de modo que siga mirando la cinta.</translation>
+    </message>
+    <message>
+        <source>The two heights of the sensor are too near to each other.</source>
+        <translation>Las dos alturas del sensor están muy cerca una de otra.</translation>
+    </message>
+    <message>
+        <source>Raise it by 20 cm or more.</source>
+        <translation>Súbalo 20 cm o más.</translation>
+    </message>
+    <message>
+        <source>The sensor was not raised by as much as was typed.</source>
+        <translation>El sensor no se subió tanto como se escribió.</translation>
+    </message>
+    <message>
+        <source>Measure how much higher its glass is than at first, straight up, and type it in millimetres.</source>
+        <translation>Mida cuánto más alto está su cristal que al principio, en vertical, y escríbalo en milímetros.</translation>
+    </message>
+    <message>
         <source>One height alone tells nothing.</source>
         <translation>Una sola altura no dice nada.</translation>
     </message>
     <message>
-        <source>Take a box of known height, or a ball, as well.</source>
-        <translation>Tome también una caja de altura conocida o una pelota.</translation>
-    </message>
-    <message>
         <source>The heights are too small to tell more than is known of such devices.</source>
         <translation>Las alturas son demasiado pequeñas para decir más de lo que se sabe de esos aparatos.</translation>
-    </message>
-    <message>
-        <source>Use a higher box, 15 cm or more, and a tape.</source>
-        <translation>Use una caja más alta, de 15 cm o más, y una huincha.</translation>
     </message>
     <message>
         <source>What was typed does not agree with the other measurements.</source>
@@ -936,6 +1040,10 @@
     <message>
         <source>Do as the picture shows, then press Take.</source>
         <translation>Haga lo que muestra el dibujo y presione Tomar.</translation>
+    </message>
+    <message>
+        <source>Keep it, put the sensor back, and calibrate again: every length that it measures changes.</source>
+        <translation>Guárdela, devuelva el sensor a su lugar, y calibre de nuevo: toda longitud que mide cambia.</translation>
     </message>
     <message>
         <source>Keep it, and calibrate again: every length that this sensor measures changes with it.</source>
@@ -1125,6 +1233,10 @@
     <message>
         <source>Diameter of the ball</source>
         <translation>Diámetro de la pelota</translation>
+    </message>
+    <message>
+        <source>How much higher the sensor is than at first</source>
+        <translation>Cuánto más alto está el sensor que al principio</translation>
     </message>
 </context>
 <context>
@@ -1369,6 +1481,22 @@
     <message>
         <source>after</source>
         <translation>después</translation>
+    </message>
+    <message>
+        <source>Known by</source>
+        <translation>Se sabe por</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>escala</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>desplazamiento</translation>
+    </message>
+    <message>
+        <source>depth at the belt</source>
+        <translation>profundidad en la cinta</translation>
     </message>
 </context>
 <context>
@@ -1665,6 +1793,22 @@
     <message>
         <source>Take a box of another height as well</source>
         <translation>Tomar también una caja de otra altura</translation>
+    </message>
+    <message>
+        <source>Another height</source>
+        <translation>Otra altura</translation>
+    </message>
+    <message>
+        <source>Take the belt from one more height as well</source>
+        <translation>Tomar la cinta también desde otra altura más</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Undo the last step, and do it again</source>
+        <translation>Deshacer el último paso, y hacerlo de nuevo</translation>
     </message>
     <message>
         <source>Without it</source>

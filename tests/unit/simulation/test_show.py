@@ -10,12 +10,14 @@ import cv2
 import numpy as np
 import pytest
 
-from fruitgui.frame import Frame
+from fruitgui.calibration.depth.seeing import see_belt
+from fruitgui.calibration.still import average
+from fruitgui.frame import F64, Frame
 from fruitgui.sensors.feed import Feed, Running, WaitForRoom
 from fruitgui.sensors.player import FlatOut
 from fruitgui.simulation.ahead import SimulatedRig
 from fruitgui.simulation.scenes import sight_of
-from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, Show, Showing
+from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, SHOWN_RAISE_M, Show, Showing
 from fruitgui.simulation.supply import BATCH, LineOptions, crossed, has_left, supply
 from tests.unit.sensors.scripted import until
 
@@ -189,3 +191,32 @@ def test_a_carton_and_a_ball_are_shown_for_measuring_depth() -> None:
         ball_px = np.pi / 4 * (SHOWN_BALL_M * frame.intrinsics.fx / distance_m) ** 2
         assert 0.7 * ball_px < raised_px(ball[sensor], frame) < 2.0 * ball_px
     assert raised_px(frames_of(show, Showing.EMPTY, 2)[0], empty[0]) < 2000, "they are gone again"
+
+
+def test_devices_that_err_are_others_at_the_same_places() -> None:
+    perfect, erring = OPTIONS.setting().devices, replace(OPTIONS, depth_error=1.0).setting().devices
+    for one, other in zip(perfect, erring, strict=True):
+        assert np.array_equal(one.pose.matrix, other.pose.matrix)
+        assert (one.depth_model.scale_error, one.depth_model.offset_m, one.depth_model.radial_error) == (0.0, 0.0, 0.0)
+        assert other.depth_model.scale_error != 0.0 != other.depth_model.offset_m
+        assert one.serial != other.serial, "what is kept of the one is not put on the other"
+
+
+def test_raised_sensors_see_the_bare_belt_from_farther_away() -> None:
+    show = Show(OPTIONS)
+    empty, higher = (frames_of(show, showing, 2) for showing in (Showing.EMPTY, Showing.RAISED))
+    for low, high in zip(empty, higher, strict=True):
+        distances_m = [1.0 / float(np.linalg.norm(belt_of(frame))) for frame in (low, high)]
+        assert distances_m[1] - distances_m[0] == pytest.approx(SHOWN_RAISE_M, abs=0.01)
+    again = Show(OPTIONS)
+    frames_of(again, Showing.EMPTY, 2)
+    second = frames_of(again, Showing.RAISED, 2)
+    assert all(same(one, other) for one, other in zip(higher, second, strict=True))
+    assert raised_px(frames_of(show, Showing.EMPTY, 2)[0], empty[0]) < 2000, "they are where they were again"
+
+
+def belt_of(frame: Frame) -> F64:
+    """Return the a of the belt's plane, 1/z = a·(x, y, 1), as a frame shows it."""
+    belt = see_belt(average([frame]))
+    assert belt is not None
+    return belt.coefficients

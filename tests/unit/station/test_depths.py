@@ -37,7 +37,7 @@ from fruitgui.station.workspace import open_workspace
 CORRECTION = DepthCorrection(1.01, -0.004, 0.002, 0.0)
 FIT = DepthFit(
     CORRECTION, ("scale", "offset_m", "radial_2"), np.diag([1e-6, 1e-5, 1e-6, 1e-3]), 1.02, 0.029, 0.0026,
-    (Figure("height", 0.2, 0.198, 0.2001, 0.0003),), {},
+    (Figure("height", 0.2, 0.198, 0.2001, 0.0003),), (), {},
 )  # fmt: skip
 WHEN = datetime(2026, 3, 4, 5, 6, 7, tzinfo=UTC)
 MEASURED = device_depth(FIT, WHEN)

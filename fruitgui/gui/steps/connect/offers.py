@@ -93,6 +93,7 @@ def preset_name(source: Source) -> str:
         "opposed_touching": translate("Connect", "Two sensors, fruit that touch, and other things"),
         "opposed_fast": translate("Connect", "Two sensors over a fast belt"),
         "opposed_projectors": translate("Connect", "Two sensors whose projectors take turns"),
+        "depth_off": translate("Connect", "Two sensors whose depth is off"),
     }
     return names.get(source.name, source.name)
 

@@ -15,18 +15,19 @@ class WizardActions(QObject):
         super().__init__(parent)
         self.take, self.keep, self.again = QAction(self), QAction(self), QAction(self)
         self.more, self.skip = QAction(self), QAction(self)
+        self.higher, self.undo = QAction(self), QAction(self)
         self.remove, self.back = QAction(self), QAction(self)
         self.say_words()
 
     def at(self, course: Course, *, corrected: bool) -> tuple[QAction, ...]:
         """Return the main action of a stage, then the others; a correction can be taken away where there is one."""
         if course.stage is Stage.RESULT:
-            return (self.keep, self.again, self.back) if course.fit is not None else (self.again, self.back)
-        others: tuple[QAction, ...] = (self.remove,) if corrected else ()
-        if course.stage is Stage.BOARD:
-            others = (self.skip,)
-        elif course.stage is Stage.BALL:
-            others = (self.skip, self.more) if course.boards else (self.more,)
+            done = (self.keep, self.higher, self.again) if course.fit is not None else (self.again,)
+            return (*done, self.undo, self.back)
+        others: tuple[QAction, ...] = (self.remove,) if corrected and course.stage is Stage.BELT else ()
+        others += (self.skip,) if course.can_pass else ()
+        others += (self.more,) if course.stage is Stage.BALL else ()
+        others += (self.undo,) if course.before is not None else ()
         return (self.take, *others, self.back)
 
     def say_words(self) -> None:
@@ -38,6 +39,9 @@ class WizardActions(QObject):
             (self.again, self.tr("Measure again"), self.tr("Begin again with the bare belt"), "redo", "Ctrl+N"),
             (self.more, self.tr("Another box"), self.tr("Take a box of another height as well"), "add",
              "Ctrl+Shift+B"),
+            (self.higher, self.tr("Another height"), self.tr("Take the belt from one more height as well"), "add",
+             "Ctrl+Shift+H"),
+            (self.undo, self.tr("Undo"), self.tr("Undo the last step, and do it again"), "undo", "Ctrl+Z"),
             (self.skip, self.tr("Without it"), self.tr("Go on without it"), "right", "Ctrl+Shift+Right"),
             (self.remove, self.tr("Take correction away"),
              self.tr("Use this sensor's depth as the device gives it"), "delete", "Ctrl+Shift+Del"),

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from fruitgui.frame import Frame
 from fruitgui.gui.steps.connect.depth.course import Course, Stage, Typed
+from fruitgui.gui.steps.connect.depth.outlook_label import OutlookLabel
 from fruitgui.gui.steps.connect.depth.preview import DepthPreview
 from fruitgui.gui.steps.connect.depth.sketch import DepthSketch
 from fruitgui.gui.steps.connect.depth.words import rules, seen_text, stage_name
@@ -18,7 +19,12 @@ from fruitgui.gui.widgets.stepper import Stepper
 from fruitgui.station.depth_watch import Sight
 
 LEFT_WIDTH = 408
-RANGES_MM = {Stage.BELT: (0.0, 4000.0, 5.0), Stage.BOARD: (20.0, 1000.0, 5.0), Stage.BALL: (30.0, 400.0, 1.0)}
+RANGES_MM = {
+    Stage.BELT: (0.0, 4000.0, 5.0),
+    Stage.BOARD: (20.0, 1000.0, 5.0),
+    Stage.BALL: (30.0, 400.0, 1.0),
+    Stage.RAISED: (20.0, 1500.0, 5.0),
+}
 
 
 class MeasurePanel(QWidget):
@@ -38,7 +44,7 @@ class MeasurePanel(QWidget):
         self._rules = label("")
         self._heads = {stage: label("", "dim") for stage in RANGES_MM}
         self.fields = {stage: Stepper(theme, int(stage is not Stage.BELT), "mm") for stage in RANGES_MM}
-        self.seen, self.caution = label("", "strong"), label("", "small")
+        self.seen, self.caution, self.outlook = label("", "strong"), label("", "small"), OutlookLabel()
         self._lay_out()
         self.show_typed(Typed())
         self._say_words()
@@ -46,13 +52,14 @@ class MeasurePanel(QWidget):
     @property
     def typed(self) -> Typed:
         """What is typed."""
-        return Typed(*(self.fields[stage].value for stage in (Stage.BELT, Stage.BOARD, Stage.BALL)))
+        return Typed(*(self.fields[stage].value for stage in RANGES_MM))
 
     def show_typed(self, typed: Typed) -> None:
         """Show other lengths."""
-        values = (typed.distance_mm, typed.height_mm, typed.diameter_mm)
+        values = (typed.distance_mm, typed.height_mm, typed.diameter_mm, typed.raised_mm)
         for stage, value in zip(RANGES_MM, values, strict=True):
             self.fields[stage].show_value(value)
+        self.outlook.show_raise(typed.raised_mm)
 
     def show_stage(self, course: Course) -> None:
         """Show the stage of a course."""
@@ -65,6 +72,7 @@ class MeasurePanel(QWidget):
         told = rules(course.stage)
         self._rules.setText("\n".join(told))
         self.sketch.show_stage(course.stage, " ".join(told))
+        self.outlook.show_course(course)
 
     def show_frame(self, frame: Frame | None) -> None:
         """Show the newest picture."""
@@ -98,6 +106,8 @@ class MeasurePanel(QWidget):
         for stage, (low, high, step) in RANGES_MM.items():
             self.fields[stage].set_range(low, high, step)
             self.fields[stage].changed.connect(self.typed_changed)
+        raised = self.fields[Stage.RAISED]
+        raised.changed.connect(lambda: self.outlook.show_raise(raised.value))
         left.body.addWidget(self.title)
         left.body.addWidget(self.way)
         left.body.addWidget(self.sketch)
@@ -105,6 +115,7 @@ class MeasurePanel(QWidget):
         for stage in RANGES_MM:
             left.body.addWidget(self._heads[stage])
             left.body.addWidget(self.fields[stage])
+        left.body.addWidget(self.outlook)
         left.body.addStretch()
         left.body.addWidget(self.caution)
         right.body.addWidget(self.preview, 1)
@@ -123,6 +134,7 @@ class MeasurePanel(QWidget):
             (Stage.BELT, self.tr("From the glass to the belt, straight ahead (0: not measured)")),
             (Stage.BOARD, self.tr("Height of the lid over the belt")),
             (Stage.BALL, self.tr("Diameter of the ball")),
+            (Stage.RAISED, self.tr("How much higher the sensor is than at first")),
         ):
             self._heads[stage].setText(head)
             self.fields[stage].name(head, head, fewer, more)
@@ -130,7 +142,12 @@ class MeasurePanel(QWidget):
 
 def _way(course: Course) -> str:
     """Return the stages in a row, the present one and what was taken marked."""
-    counts = {Stage.BELT: int(course.belt is not None), Stage.BOARD: len(course.boards), Stage.BALL: len(course.balls)}
+    counts = {
+        Stage.BELT: int(course.belt is not None),
+        Stage.BOARD: len(course.boards),
+        Stage.BALL: len(course.balls),
+        Stage.RAISED: len(course.raised),
+    }
     parts = []
     for stage in Stage:
         taken = " ✓" * min(counts.get(stage, 0), 3)

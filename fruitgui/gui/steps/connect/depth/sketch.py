@@ -14,6 +14,9 @@ WIDE, HIGH = 200.0, 96.0
 """Of the sketch, in its own units."""
 
 BELT_Y, SENSOR_Y = 84.0, 14.0
+WAS_Y = 34.0
+"""Where a raised sensor hung before."""
+
 BELT, BOX, BALL, SENSOR = "#5b646b", "#b08a5e", "#d98b2b", "#8b979f"
 
 
@@ -94,6 +97,11 @@ class DepthSketch(QWidget):
             painter.setBrush(shine)
             painter.drawEllipse(QPointF(middle, BELT_Y - 15), 15, 15)
             self._paint_length(painter, QLineF(middle - 15, BELT_Y - 37, middle + 15, BELT_Y - 37))
+        elif self._stage is Stage.RAISED:
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(SENSOR), 1.3, Qt.PenStyle.DashLine))
+            painter.drawRoundedRect(QRectF(middle - 20, WAS_Y - 10, 40, 10), 3, 3)
+            self._paint_length(painter, QLineF(middle + 30, SENSOR_Y, middle + 30, WAS_Y))
 
     def _paint_length(self, painter: QPainter, line: QLineF) -> None:
         """Draw a length with an end stop and an arrow at both ends."""

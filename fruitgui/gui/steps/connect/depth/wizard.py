@@ -2,34 +2,34 @@
 
 from __future__ import annotations
 
-from datetime import datetime
-from functools import partial
-
 from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.calibration.warmup import Warmth
-from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.depth.actions import WizardActions
 from fruitgui.gui.steps.connect.depth.course import Course, Stage, Typed
+from fruitgui.gui.steps.connect.depth.keeping import Keeping
 from fruitgui.gui.steps.connect.depth.panel import MeasurePanel
 from fruitgui.gui.steps.connect.depth.result_view import ResultView
 from fruitgui.gui.steps.connect.depth.work import Taken, Worked, taking, working_out
 from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
-from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, Showing
-from fruitgui.station.depth_watch import Aim, DepthWatch, Looked
-from fruitgui.station.depths import DeviceDepth, DeviceDepths, device_depth
+from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, SHOWN_RAISE_M, Showing
+from fruitgui.station.depth_watch import Aim, DepthWatch
 
 DRAW_MS = 100
-LOOKED = {Stage.BELT: Looked.BELT, Stage.BOARD: Looked.BOARD, Stage.BALL: Looked.BALL}
-SHOWN = {Stage.BELT: Showing.EMPTY, Stage.BOARD: Showing.BOARD, Stage.BALL: Showing.BALL}
+SHOWN = {
+    Stage.BELT: Showing.EMPTY,
+    Stage.BOARD: Showing.BOARD,
+    Stage.BALL: Showing.BALL,
+    Stage.RAISED: Showing.RAISED,
+}
 
 
 class DepthWizard(QWidget):
-    """Belt, box, ball, result; at home in the screen where sensors are connected.
+    """Belt, box, ball, belt from higher, result; at home in the screen where sensors are connected.
 
     Attributes:
         changed: other actions or another hint are to be shown.
@@ -45,6 +45,7 @@ class DepthWizard(QWidget):
         self._course: Course | None = None
         self._watch: DepthWatch | None = None
         self._task: Task[Taken] | Task[Worked] | None = None
+        self._keeping = Keeping(session)
         self._showing: Showing | None = None
         self._ready = False
         self._stack = QStackedWidget(self)
@@ -63,7 +64,7 @@ class DepthWizard(QWidget):
     def actions_now(self) -> tuple[QAction, ...]:
         """The main action, then the others."""
         course = self._course
-        return () if course is None else self.choices.at(course, corrected=self._corrected(course.sensor))
+        return () if course is None else self.choices.at(course, corrected=self._keeping.corrected(course.sensor))
 
     @property
     def hint(self) -> str:
@@ -73,6 +74,8 @@ class DepthWizard(QWidget):
             return self.tr("Keep hands away; it takes some seconds.")
         if course is None or course.stage is not Stage.RESULT:
             return self.tr("Do as the picture shows, then press Take.")
+        if course.fit is not None and course.raised:
+            return self.tr("Keep it, put the sensor back, and calibrate again: every length that it measures changes.")
         if course.fit is not None:
             return self.tr("Keep it, and calibrate again: every length that this sensor measures changes with it.")
         return self.tr("Do what is said, and measure again.")
@@ -84,7 +87,7 @@ class DepthWizard(QWidget):
         rig = self._session.source.rig
         if rig is not None:
             self._showing = rig.showing
-            self.panel.show_typed(Typed(0.0, 1e3 * SHOWN_BOARD_M[2], 1e3 * SHOWN_BALL_M))
+            self.panel.show_typed(Typed(0.0, 1e3 * SHOWN_BOARD_M[2], 1e3 * SHOWN_BALL_M, 1e3 * SHOWN_RAISE_M))
         self.panel.preview.begin(self.tr("Depth of {sensor}").format(sensor=sensor))
         self._show()
 
@@ -131,6 +134,8 @@ class DepthWizard(QWidget):
         self.choices.take.triggered.connect(self._take)
         self.choices.skip.triggered.connect(self._skip)
         self.choices.more.triggered.connect(lambda: self._go_to(Stage.BOARD))
+        self.choices.higher.triggered.connect(lambda: self._go_to(Stage.RAISED))
+        self.choices.undo.triggered.connect(self._undo)
         self.choices.again.triggered.connect(self._begin_again)
         self.choices.keep.triggered.connect(self._keep)
         self.choices.remove.triggered.connect(self._remove)
@@ -179,9 +184,7 @@ class DepthWizard(QWidget):
     # the look at the sensor
 
     def _aim_of(self, course: Course) -> Aim:
-        typed = self.panel.typed
-        length_mm = {Stage.BOARD: typed.height_mm, Stage.BALL: typed.diameter_mm}.get(course.stage, 0.0)
-        return Aim(LOOKED.get(course.stage, Looked.BELT), length_mm * 1e-3, course.seen)
+        return course.aim(self.panel.typed)
 
     def _start_watch(self, course: Course) -> None:
         feed = self._session.connected.feed
@@ -239,21 +242,29 @@ class DepthWizard(QWidget):
             task = self._session.tasks.run(self.tr("Working out the correction"), working_out(measured))
             self._task = task
             task.succeeded.connect(self._worked)
+            task.cancelled.connect(self._step_back)
+            task.failed.connect(self._step_back)
             self._follow(task)
 
     def _worked(self, worked: Worked) -> None:
         if self._course is not None:
             self._course = self._course.came_to(worked.outcome)
 
+    def _step_back(self) -> None:
+        course = self._course
+        if course is not None and course.before is not None:
+            self._course = course.before
+
+    def _undo(self) -> None:
+        if self._task is None:
+            self._step_back()
+            self._show()
+
     def _skip(self) -> None:
         course = self._course
-        if course is None or self._task is not None:
-            return
-        if course.stage is Stage.BOARD and not course.balls:
-            self._go_to(Stage.BALL)
-        else:
-            self._course = course.at(Stage.RESULT)
-            self._work_out(self._course)
+        if course is not None and self._task is None and course.can_pass:
+            self._course = course.passed()
+            self._ended()
 
     def _go_to(self, stage: Stage) -> None:
         if self._course is not None and self._task is None:
@@ -262,39 +273,18 @@ class DepthWizard(QWidget):
 
     def _begin_again(self) -> None:
         if self._course is not None and self._task is None:
-            self._course = Course(self._course.sensor)
+            self._course = Course(self._course.sensor, before=self._course)
             self._show()
 
     # what is kept
 
-    def _serial(self, sensor: str) -> str:
-        connection = self._session.connection
-        return "" if connection is None else connection.serials().get(sensor, "")
-
-    def _corrected(self, sensor: str) -> bool:
-        known = self._session.depths.of(self._serial(sensor), sensor)
-        return known is not None and known.correction is not None
-
     def _keep(self) -> None:
         course = self._course
         if course is not None and course.fit is not None:
-            text = self.tr("The depth of {sensor} is corrected from now on.").format(sensor=course.sensor)
-            self._save(course.sensor, device_depth(course.fit, datetime.now().astimezone()), text)
+            self._keeping.keep(course.sensor, course.fit)
+            self.end()
 
     def _remove(self) -> None:
-        course = self._course
-        if course is not None:
-            text = self.tr("The depth of {sensor} is used as the device gives it.").format(sensor=course.sensor)
-            self._save(course.sensor, DeviceDepth(), text)
-
-    def _save(self, sensor: str, device: DeviceDepth, text: str) -> None:
-        before = self._session.depths
-        self._session.save_depths(before.with_device(self._serial(sensor), sensor, device))
-        undo = lambda: self._restore(before)  # noqa: E731
-        remedy = self.tr("Calibrate again.") if self._session.station is not None else ""
-        said = Message(Level.GOOD, text, remedy, action=self.tr("Undo"), act=undo)
-        self._session.when_saved(partial(self._session.messages.say, said))
-        self.end()
-
-    def _restore(self, depths: DeviceDepths) -> None:
-        self._session.save_depths(depths)
+        if self._course is not None:
+            self._keeping.remove(self._course.sensor)
+            self.end()

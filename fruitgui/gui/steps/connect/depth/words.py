@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication
 
-from fruitgui.calibration.depth.measured import DepthFit, DepthReason, Figure
+from fruitgui.calibration.depth.measured import LEAST_RAISED_M, DepthFit
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.steps.connect.depth.course import Stage, Typed
 from fruitgui.gui.steps.connect.words import Condition
@@ -27,6 +27,7 @@ def stage_name(stage: Stage) -> str:
         Stage.BELT: translate("Depth", "Belt"),
         Stage.BOARD: translate("Depth", "Box"),
         Stage.BALL: translate("Depth", "Ball"),
+        Stage.RAISED: translate("Depth", "Higher"),
         Stage.RESULT: translate("Depth", "Result"),
     }[stage]
 
@@ -52,6 +53,13 @@ def rules(stage: Stage) -> tuple[str, ...]:
             translate("Depth", "1.  Put a dull ball on the bare belt amid the picture; a large one tells more."),
             translate("Depth", "2.  Measure its diameter between two straight edges, and type it."),
         ),
+        Stage.RAISED: (
+            translate(
+                "Depth",
+                "1.  Clear the belt, and raise the sensor straight up by 20 cm or more: on a block, or in its clamp.",
+            ),
+            translate("Depth", "2.  Measure how much higher its glass is now than at first, straight up, and type it."),
+        ),
         Stage.RESULT: (),
     }[stage]
 
@@ -69,6 +77,8 @@ def seen_text(sight: Sight | None, typed: Typed) -> Condition:
         return Condition("good", text.format(length=mm(sight.length_m)))
     if sight.what is Looked.BOARD:
         return _board_text(sight, typed)
+    if sight.what is Looked.RAISED:
+        return _raised_text(sight, typed)
     if sight.on is None:
         text = translate("Depth", "No ball of {length} is seen yet.")
         return Condition("warn", text.format(length=mm(typed.diameter_mm * 1e-3)))
@@ -85,14 +95,40 @@ def _board_text(sight: Sight, typed: Typed) -> Condition:
     return Condition("good", text.format(length=mm(sight.length_m)))
 
 
-def figure_name(figure: Figure) -> str:
+def _raised_text(sight: Sight, typed: Typed) -> Condition:
+    if typed.raised_mm < 1e3 * LEAST_RAISED_M:
+        text = translate("Depth", "The two heights are too near to each other: raise it by {length} or more.")
+        return Condition("warn", text.format(length=mm(LEAST_RAISED_M)))
+    if sight.on is None:
+        return Condition("warn", translate("Depth", "The belt is not seen from there: let the sensor look at it."))
+    if sight.length_m < OFF_SHARE * LEAST_RAISED_M:
+        return Condition("warn", translate("Depth", "The sensor hangs where it was: raise it."))
+    text = translate("Depth", "The belt is seen about {length} farther away.")
+    if abs(sight.length_m * 1e3 - typed.raised_mm) > OFF_SHARE * typed.raised_mm:
+        text = translate("Depth", "The belt is seen about {length} farther away; that is not what is typed.")
+        return Condition("warn", text.format(length=mm(sight.length_m)))
+    return Condition("good", text.format(length=mm(sight.length_m)))
+
+
+def figure_name(what: str) -> str:
     """Return what a figure is of."""
     return {
         "distance": translate("Depth", "Distance of the belt"),
         "height": translate("Depth", "Height of the box"),
+        "raised": translate("Depth", "How far the sensor was raised"),
         "ball": translate("Depth", "Diameter of the ball"),
         "flatness": translate("Depth", "Unevenness of the belt"),
-    }[figure.what]
+    }[what]
+
+
+def length_name(what: str) -> str:
+    """Return what a typed length is of, within a sentence."""
+    return {
+        "distance": translate("Depth", "the distance of the belt"),
+        "height": translate("Depth", "the height of the box"),
+        "raised": translate("Depth", "how far the sensor was raised"),
+        "ball": translate("Depth", "the diameter of the ball"),
+    }[what]
 
 
 def verdict_text(fit: DepthFit) -> str:
@@ -102,6 +138,17 @@ def verdict_text(fit: DepthFit) -> str:
         "Depth at the belt is now right to ±{after}; without a measurement such a sensor may be off by ±{before}.",
     )
     return text.format(after=mm(1.96 * fit.depth_std_m), before=mm(1.96 * fit.depth_std_before_m))
+
+
+def sureness_name(by: str, heights: int) -> str:
+    """Return by what part of the measurements something is known."""
+    text = {
+        "belt": translate("Depth", "one height alone"),
+        "heights": translate("Depth", "{count} heights"),
+        "ball": translate("Depth", "one height and the ball"),
+        "all": translate("Depth", "all of it"),
+    }[by]
+    return text.format(count=number_text(heights, 0))
 
 
 def terms_text(fit: DepthFit) -> str:
@@ -126,58 +173,7 @@ def missing_texts(fit: DepthFit) -> tuple[str, ...]:
         "distance": translate(
             "Depth", "Without a tape or a large ball the offset stays unknown: heights are right, widths less."
         ),
-        "height": translate("Depth", "A higher box would tell the scale."),
+        "height": translate("Depth", "A higher box, or the sensor raised farther, would tell the scale."),
         "wider": translate("Depth", "The belt fills too little of the picture to tell how it bends."),
     }
     return tuple(known[one] for one in fit.missing.values())
-
-
-def reason_words(reason: DepthReason) -> tuple[str, str]:
-    """Return what is wrong with the measurements, and what to do."""
-    known = {
-        "belt_not_seen": (
-            translate("Depth", "No belt was seen."),
-            translate("Depth", "Let the sensor look at the bare belt from half a metre to two metres."),
-        ),
-        "board_not_seen": (
-            translate("Depth", "No flat lid was seen above the belt."),
-            translate("Depth", "Use a flat, dull lid of at least 15 × 15 cm, level and amid the picture."),
-        ),
-        "ball_not_seen": (
-            translate("Depth", "No ball of the typed size was seen."),
-            translate("Depth", "Put one dull ball on the bare belt amid the picture, and type its diameter."),
-        ),
-        "not_flat": (
-            translate("Depth", "Belt or lid is not flat."),
-            translate("Depth", "Use a stiff board, or a place where the belt lies on its table."),
-        ),
-        "scene_moved": (
-            translate("Depth", "Something moved while pictures were taken."),
-            translate("Depth", "Stop the belt, and keep hands away."),
-        ),
-        "sensor_moved": (
-            translate("Depth", "Sensor or belt was moved between two measurements."),
-            translate("Depth", "Begin again with the bare belt."),
-        ),
-        "height_differs": (
-            translate("Depth", "The box is not as high as was typed."),
-            translate("Depth", "Type the height of its upper side over the belt, in millimetres."),
-        ),
-        "too_few_heights": (
-            translate("Depth", "One height alone tells nothing."),
-            translate("Depth", "Take a box of known height, or a ball, as well."),
-        ),
-        "nothing_decided": (
-            translate("Depth", "The heights are too small to tell more than is known of such devices."),
-            translate("Depth", "Use a higher box, 15 cm or more, and a tape."),
-        ),
-        "typed_disagrees": (
-            translate("Depth", "What was typed does not agree with the other measurements."),
-            translate("Depth", "Measure again; see that the ball lies on the belt itself and that the lid is level."),
-        ),
-        "implausible": (
-            translate("Depth", "No working sensor errs as much as this would mean."),
-            translate("Depth", "Check what was typed, in millimetres."),
-        ),
-    }
-    return known.get(reason.code, (reason.what, reason.remedy))
