@@ -41,7 +41,7 @@ class Housekeeping(QObject):
         def job(progress: Progress, cancelled: Cancelled) -> int:  # noqa: ARG001 - nobody waits for it
             return crops.age_out(days, cancelled)
 
-        self._task = Task("clearing up", job, self)
+        self._task = Task(lambda: self.tr("Letting old pictures go"), job, self)
         self._task.succeeded.connect(self._cleared)
         self._task.failed.connect(self._failed)
         self._task.ended.connect(self._ended)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import Enum
 from functools import partial
 
@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, Signal
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui import error_words
+from fruitgui.gui.told import Telling
 
 log = logging.getLogger(__name__)
 
@@ -25,26 +26,40 @@ class Level(Enum):
     BAD = "bad"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Message:
-    """One thing said.
+    """One thing said; its words are found anew whenever they are asked for, in the language in force then.
 
     Attributes:
         level: how much it matters.
-        what: what happened, and what it means.
-        remedy: what to do; empty where there is nothing to do.
-        action, act: a word on a button, and what it does; for example Undo.
+        told: what happened, what to do, and the word on a button, for example Undo.
+        act: what that button does.
         stays: until the person has closed it; others go by themselves.
-        again: says the same in the language that the window speaks now; None where the words are all there is.
     """
 
     level: Level
-    what: str
-    remedy: str = ""
-    action: str = ""
+    told: Telling
     act: Callable[[], None] | None = None
     stays: bool = False
-    again: Callable[[], Message] | None = field(default=None, compare=False)
+
+    @property
+    def what(self) -> str:
+        """What happened, and what it means."""
+        return self.told().what
+
+    @property
+    def remedy(self) -> str:
+        """What to do; empty where there is nothing to do."""
+        return self.told().remedy
+
+    @property
+    def action(self) -> str:
+        """The word on its button; empty where it has none."""
+        return self.told().action
+
+    def says_as(self, other: Message | None) -> bool:
+        """Whether a person reads the same in another one."""
+        return other is not None and (self.level, self.told()) == (other.level, other.told())
 
 
 class Messages(QObject):
@@ -82,20 +97,21 @@ class Messages(QObject):
             self._standing.pop(name, None)
         else:
             self._standing[name] = message
-        if self.standing != before:
-            self.standing_changed.emit(self.standing)
+        now = self.standing
+        if now is not before and not (now is not None and now.says_as(before)):
+            self.standing_changed.emit(now)
 
-    def info(self, what: str, action: str = "", act: Callable[[], None] | None = None) -> None:
+    def info(self, told: Telling, act: Callable[[], None] | None = None) -> None:
         """Say what was done, with a way to undo it where there is one."""
-        self.say(Message(Level.INFO, what, action=action, act=act))
+        self.say(Message(Level.INFO, told, act))
 
-    def good(self, what: str) -> None:
+    def good(self, told: Telling) -> None:
         """Say that something worked."""
-        self.say(Message(Level.GOOD, what))
+        self.say(Message(Level.GOOD, told))
 
-    def warn(self, what: str, remedy: str = "", *, stays: bool = False) -> None:
+    def warn(self, told: Telling, *, stays: bool = False) -> None:
         """Say what should be looked after."""
-        self.say(Message(Level.WARN, what, remedy, stays=stays))
+        self.say(Message(Level.WARN, told, stays=stays))
 
     def error(self, error: FruitguiError) -> None:
         """Say what failed and what to do; the log has it as exactly as the core said it."""
@@ -104,9 +120,8 @@ class Messages(QObject):
 
 
 def error_message(error: FruitguiError) -> Message:
-    """Return an error as a message, in the language that the window speaks now."""
-    told = error_words.told(error)
-    return Message(Level.BAD, told.what, told.remedy, stays=True, again=partial(error_message, error))
+    """Return an error as a message."""
+    return Message(Level.BAD, partial(error_words.told, error), stays=True)
 
 
 _WEIGHTS = {

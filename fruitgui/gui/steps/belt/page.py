@@ -24,6 +24,7 @@ from fruitgui.gui.steps.belt.tool_row import ABOVE, ToolRow
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.told import Told
 from fruitgui.gui.widgets.cards import EmptyPlace
 from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.sensors.feed import Feed
@@ -291,7 +292,7 @@ class BeltPage(StepPage):
             session.save_station(before)
             session.save_marks(marks)
 
-        said = Message(Level.GOOD, self.tr("The belt is saved."), action=self.tr("Undo"), act=take_back)
+        said = Message(Level.GOOD, lambda: Told(self.tr("The belt is saved."), action=self.tr("Undo")), take_back)
         session.when_saved(partial(session.messages.say, said))
 
     def _go_on(self) -> None:

@@ -23,6 +23,7 @@ from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.told import Told
 from fruitgui.gui.widgets.cards import EmptyPlace
 from fruitgui.station.fused_cloud import SensorCloud
 from fruitgui.station.workflow import State, Step
@@ -231,7 +232,7 @@ class CalibratePage(StepPage):
         if feed is None or connection is None or self._task is not None:
             return
         job = calibrating(feed, connection.reference_name, self._session.station, self._session.depths)
-        self._task = self._session.tasks.run(self.tr("Calibrating"), job)
+        self._task = self._session.tasks.run(lambda: self.tr("Calibrating"), job)
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self._session.messages.error)
         self._task.cancelled.connect(self._stopped)
@@ -242,7 +243,7 @@ class CalibratePage(StepPage):
         self._result = made
 
     def _stopped(self) -> None:
-        self._session.messages.info(self.tr("Calibrating was stopped; nothing was changed."))
+        self._session.messages.info(lambda: Told(self.tr("Calibrating was stopped; nothing was changed.")))
 
     def _ended(self) -> None:
         self._task = None
@@ -252,7 +253,7 @@ class CalibratePage(StepPage):
         feed, station = self._session.connected.feed, self._session.station
         if feed is not None and station is not None and set(feed.infos) <= set(station.sensors):
             self._drawn_for = station
-            self._drawing = self._session.tasks.run(self.tr("Looking at the belt"), drawing(feed, station))
+            self._drawing = self._session.tasks.run(lambda: self.tr("Looking at the belt"), drawing(feed, station))
             self._drawing.succeeded.connect(self._show_drawn)
             self._drawing.ended.connect(self._drawn)
 
@@ -272,9 +273,11 @@ class CalibratePage(StepPage):
         self._drawn_for = made.outcome.station
         self._session.save_station(made.outcome.station)
         self._show()
-        text = self.tr("The calibration is kept.")
-        undone = Message(Level.GOOD, text, action=self.tr("Undo"), act=self._undo)
-        said = undone if had else Message(Level.GOOD, text)
+
+        def told() -> Told:
+            return Told(self.tr("The calibration is kept."), action=self.tr("Undo") if had else "")
+
+        said = Message(Level.GOOD, told, self._undo if had else None)
         self._session.when_saved(partial(self._session.messages.say, said))
 
     def _undo(self) -> None:

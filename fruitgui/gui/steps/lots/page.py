@@ -17,6 +17,7 @@ from fruitgui.gui.steps.lots.store_menu import StoreMenu
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.told import Told
 from fruitgui.gui.widgets.cards import Card, EmptyPlace
 from fruitgui.records.lot_search import LotPage, LotQuery
 from fruitgui.station.workflow import Step
@@ -235,7 +236,9 @@ class LotsPage(StepPage):
         self.lots.model.refresh()
         self._read_lot()
         undo = self.desk.can_undo
-        self._session.messages.info(word.text, self.tr("Undo") if undo else "", self.desk.undo if undo else None)
+        self._session.messages.info(
+            lambda: Told(word.text, action=self.tr("Undo") if undo else ""), self.desk.undo if undo else None
+        )
 
     # what is done
 

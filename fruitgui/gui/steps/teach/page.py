@@ -26,6 +26,7 @@ from fruitgui.gui.steps.teach.side_panel import SidePanel
 from fruitgui.gui.steps.teach.tile import Tiles
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.told import Told
 from fruitgui.gui.widgets.cards import EmptyPlace
 from fruitgui.station.workflow import Step
 
@@ -259,7 +260,7 @@ class TeachPage(StepPage):
             self.room.name(chosen, kind)
             self.grid.setFocus()
         else:
-            self._session.messages.info(self.tr("Choose a fruit first; then a key gives it its kind."))
+            self._session.messages.info(lambda: Told(self.tr("Choose a fruit first; then a key gives it its kind.")))
 
     def _look_at(self, shelf: Shelf) -> None:
         self._shelf = shelf

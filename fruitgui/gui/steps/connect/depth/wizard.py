@@ -19,6 +19,7 @@ from fruitgui.gui.steps.connect.depth.result_view import ResultView
 from fruitgui.gui.steps.connect.depth.work import Taken, Worked, taking, working_out
 from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.told import Told, Words
 from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, Showing
 from fruitgui.station.depth_watch import Aim, DepthWatch, Looked
 from fruitgui.station.depths import DeviceDepth, DeviceDepths, device_depth
@@ -208,7 +209,7 @@ class DepthWizard(QWidget):
         if course is None or feed is None or self._task is not None or not self._ready:
             return
         task = self._session.tasks.run(
-            self.tr("Measuring depth"), taking(feed, course.sensor, bare=course.stage is Stage.BELT)
+            lambda: self.tr("Measuring depth"), taking(feed, course.sensor, bare=course.stage is Stage.BELT)
         )
         self._task = task
         task.succeeded.connect(self._took)
@@ -236,7 +237,7 @@ class DepthWizard(QWidget):
     def _work_out(self, course: Course) -> None:
         measured = course.measurements()
         if measured is not None:
-            task = self._session.tasks.run(self.tr("Working out the correction"), working_out(measured))
+            task = self._session.tasks.run(lambda: self.tr("Working out the correction"), working_out(measured))
             self._task = task
             task.succeeded.connect(self._worked)
             self._follow(task)
@@ -278,21 +279,26 @@ class DepthWizard(QWidget):
     def _keep(self) -> None:
         course = self._course
         if course is not None and course.fit is not None:
-            text = self.tr("The depth of {sensor} is corrected from now on.").format(sensor=course.sensor)
-            self._save(course.sensor, device_depth(course.fit, datetime.now().astimezone()), text)
+            device = device_depth(course.fit, datetime.now().astimezone())
+            self._save(course.sensor, device, lambda: self.tr("The depth of {sensor} is corrected from now on."))
 
     def _remove(self) -> None:
         course = self._course
         if course is not None:
-            text = self.tr("The depth of {sensor} is used as the device gives it.").format(sensor=course.sensor)
-            self._save(course.sensor, DeviceDepth(), text)
+            self._save(
+                course.sensor, DeviceDepth(), lambda: self.tr("The depth of {sensor} is used as the device gives it.")
+            )
 
-    def _save(self, sensor: str, device: DeviceDepth, text: str) -> None:
+    def _save(self, sensor: str, device: DeviceDepth, words: Words) -> None:
         before = self._session.depths
         self._session.save_depths(before.with_device(self._serial(sensor), sensor, device))
-        undo = lambda: self._restore(before)  # noqa: E731
-        remedy = self.tr("Calibrate again.") if self._session.station is not None else ""
-        said = Message(Level.GOOD, text, remedy, action=self.tr("Undo"), act=undo)
+        calibrated = self._session.station is not None
+
+        def told() -> Told:
+            remedy = self.tr("Calibrate again.") if calibrated else ""
+            return Told(words().format(sensor=sensor), remedy, self.tr("Undo"))
+
+        said = Message(Level.GOOD, told, lambda: self._restore(before))
         self._session.when_saved(partial(self._session.messages.say, said))
         self.end()
 
