@@ -160,7 +160,7 @@ class Application(QObject):
 
     def _show_help(self) -> None:
         if self._help is None:
-            self._help = HelpWindow(self.theme, self.language.name, self._logs.path, self.window)
+            self._help = HelpWindow(self.theme, self.language, self._logs.path, self.window)
             self._help.finished.connect(self._forget_help)
         self._help.show()
         self._help.raise_()

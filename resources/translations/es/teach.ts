@@ -111,12 +111,12 @@
         <translation>Densidad de {kind}, g/ml</translation>
     </message>
     <message>
-        <source>By reference fruit</source>
-        <translation>Por fruta de referencia</translation>
+        <source>By reference fruit, g/ml</source>
+        <translation>Por fruta de referencia, g/ml</translation>
     </message>
     <message>
-        <source>Typed</source>
-        <translation>Escrita</translation>
+        <source>Typed, g/ml</source>
+        <translation>Escrita, g/ml</translation>
     </message>
     <message>
         <source>A mass is the volume times the density of the kind. Reference fruit of which you measured volume and weight teach it; a number typed here stands instead. Empty leaves it to the reference fruit. It holds from the next lot on.</source>
