@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QTimer, QUrl, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QTimer, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
 
 from fruitgui.errors import FruitguiError, WorldError
@@ -88,7 +88,7 @@ class Recorder(QObject):
             return
         plan = RecordPlan(recording_path(self.folder, name), seconds, Split(most_bytes=MOST_PART_BYTES))
         self._plan, self._newest = plan, None
-        self._task = self._tasks.run(lambda: self.tr("Recording"), self._job(feed, plan))
+        self._task = self._tasks.run(_doing, self._job(feed, plan))
         self._task.succeeded.connect(self._tell)
         self._task.failed.connect(self._fail)
         self._task.cancelled.connect(self._tell_nothing)
@@ -137,3 +137,8 @@ class Recorder(QObject):
         self._look.stop()
         self._task = self._plan = self._newest = None
         self.changed.emit()
+
+
+def _doing() -> str:
+    """Return what is being done."""
+    return QCoreApplication.translate("Recorder", "Recording")

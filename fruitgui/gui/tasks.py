@@ -161,7 +161,8 @@ class TaskRunner(QObject):
         """Make a task and start it as soon as the caller has connected to it.
 
         Args:
-            name: what is being done; asked for on any thread, and as long as the task lives.
+            name: what is being done; asked for on any thread, and as long as the task lives, so it should hold no
+                object that goes before.
             job: does it.
         """
         task: Task[T] = Task(name, job, self)

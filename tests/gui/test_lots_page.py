@@ -106,10 +106,10 @@ def test_a_store_without_lots_says_what_will_appear_and_how(qtbot: QtBot, sessio
     qtbot.addWidget(page)
     page.entered()
     _settled(qtbot, page)
-    assert page.main_action is page.live_action
+    assert page.main_action is page.way_to(Step.LIVE)
     assert "live screen" in page._empty._how.text()
     with qtbot.waitSignal(page.step_wanted) as wanted:
-        page.live_action.trigger()
+        page.way_to(Step.LIVE).trigger()
     assert wanted.args == [Step.LIVE]
     page.left()
 

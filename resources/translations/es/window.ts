@@ -551,6 +551,42 @@
         <translation>Lotes</translation>
     </message>
     <message>
+        <source>Go to the sensors</source>
+        <translation>Ir a los sensores</translation>
+    </message>
+    <message>
+        <source>Go to calibrating</source>
+        <translation>Ir a la calibración</translation>
+    </message>
+    <message>
+        <source>Set the belt</source>
+        <translation>Ajustar la cinta</translation>
+    </message>
+    <message>
+        <source>Go to the belt</source>
+        <translation>Ir a la cinta</translation>
+    </message>
+    <message>
+        <source>Go to teaching</source>
+        <translation>Ir a enseñar</translation>
+    </message>
+    <message>
+        <source>Go to training</source>
+        <translation>Ir al entrenamiento</translation>
+    </message>
+    <message>
+        <source>Go live</source>
+        <translation>Ir en vivo</translation>
+    </message>
+    <message>
+        <source>Go to the live screen</source>
+        <translation>Ir a la pantalla en vivo</translation>
+    </message>
+    <message>
+        <source>Go to what has been run</source>
+        <translation>Ir a lo que se ha procesado</translation>
+    </message>
+    <message>
         <source>to do</source>
         <translation>pendiente</translation>
     </message>

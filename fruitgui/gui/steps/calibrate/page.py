@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.calibrate.advice import prepare_advice
 from fruitgui.gui.steps.calibrate.core_words import in_words
 from fruitgui.gui.steps.calibrate.outlook_look import OutlookLook
 from fruitgui.gui.steps.calibrate.prepare_panel import PreparePanel
@@ -48,7 +49,6 @@ class CalibratePage(StepPage):
         self.outlook = OutlookLook(self)
         self.calibrate_action, self.keep_action = QAction(self), QAction(self)
         self.discard_action, self.again_action = QAction(self), QAction(self)
-        self.on_action, self.connect_action = QAction(self), QAction(self)
         self.back_action = QAction(self)
         self._lay_out()
         self._say_words()
@@ -94,8 +94,6 @@ class CalibratePage(StepPage):
         self.discard_action.triggered.connect(self._discard)
         self.again_action.triggered.connect(self._begin_again)
         self.back_action.triggered.connect(self._go_back)
-        self.on_action.triggered.connect(self._go_on)
-        self.connect_action.triggered.connect(self._go_to_connect)
 
     def _say_words(self) -> None:
         for action, text, tip, icon, key in (
@@ -107,8 +105,6 @@ class CalibratePage(StepPage):
             (self.again_action, self.tr("Calibrate again"), self.tr("Begin anew; the calibration in use stays until "
              "another is kept"), "redo", "Ctrl+N"),
             (self.back_action, self.tr("Back"), self.tr("Stay with what was before"), "left", "Ctrl+Backspace"),
-            (self.on_action, self.tr("Set the belt"), self.tr("Go on to the belt"), "belt", "Ctrl+Return"),
-            (self.connect_action, self.tr("Connect"), self.tr("Go to the sensors"), "connect", "Ctrl+Return"),
         ):  # fmt: skip
             action.setText(text)
             action.setToolTip(tip)
@@ -175,36 +171,33 @@ class CalibratePage(StepPage):
 
     def _show_actions(self) -> None:
         shown, busy = self._shown(), self._task is not None
-        ready = self._ready()
+        state = self._session.states()[Step.CALIBRATE]
+        ready, running = self._ready(), self._session.running.running
         self.calibrate_action.setEnabled(ready and not busy)
         self.again_action.setEnabled(ready and not busy)
         if self._result is not None and self._result.outcome.accepted:
             self.offer(self.keep_action, self.again_action, self.discard_action)
             self.say(self.tr("Look at the cloud: where views overlap, nothing should appear twice. Then keep it."))
         elif self._result is not None:
-            self.offer(self.calibrate_action, self.back_action)
-            self.say(self.tr("Change what the pictures show, then calibrate once more."))
+            self.offer(self.calibrate_action, *self._ways_on(ready), self.back_action)
+            changed = self.tr("Change what the pictures show, then calibrate once more.")
+            self.say(changed if ready else prepare_advice(state, ready=ready, running=running))
         elif shown is self.result:
-            self.offer(self.on_action, self.again_action)
+            self.offer(self.way_to(Step.BELT), self.again_action)
             self.say(self.tr("The sensors are calibrated."))
         elif shown is self.nothing:
-            self.offer(self.connect_action)
+            self.offer(self.way_to(Step.CONNECT))
             self.say(self.tr("Connect the sensors first."))
         else:
-            self.offer(self.calibrate_action, *self._ways_on(ready))
-            self.say(self._prepare_hint(ready))
+            back = (self.back_action,) if self._calibrated() else ()
+            self.offer(self.calibrate_action, *self._ways_on(ready), *back)
+            self.say(prepare_advice(state, ready=ready, running=running))
 
-    def _ways_on(self, ready: bool) -> list[QAction]:
-        """Return what else can be done while nothing was calibrated."""
-        ways = [self.connect_action] if not ready and not self._session.running.running else []
-        return [*ways, self.back_action] if self._calibrated() else ways
-
-    def _prepare_hint(self, ready: bool) -> str:
-        if self._session.running.running:
-            return self.tr("The line runs. Its sensors can be calibrated when the lot has ended.")
-        if not ready:
-            return self.tr("Not all sensors give pictures; look after them on the screen “Connect”.")
-        return self.tr("Put fruit on the belt as in the picture, then press Calibrate. It takes some seconds.")
+    def _ways_on(self, ready: bool) -> tuple[QAction, ...]:
+        """Return where that is mended for which one cannot calibrate now."""
+        if ready:
+            return ()
+        return (self.way_to(Step.LIVE if self._session.running.running else Step.CONNECT),)
 
     def _ready(self) -> bool:
         """Whether all of the connection's sensors give pictures, and no lot runs before them."""
@@ -297,9 +290,3 @@ class CalibratePage(StepPage):
     def _go_back(self) -> None:
         self._result, self._again = None, False
         self._show()
-
-    def _go_on(self) -> None:
-        self.step_wanted.emit(Step.BELT)
-
-    def _go_to_connect(self) -> None:
-        self.step_wanted.emit(Step.CONNECT)

@@ -50,7 +50,7 @@ class LotsPage(StepPage):
         self.store_menu = StoreMenu(
             session.workspace.folder, session.tasks, session.messages, self, lambda: session.running.running
         )
-        self.report_action, self.table_action, self.live_action = QAction(self), QAction(self), QAction(self)
+        self.report_action, self.table_action = QAction(self), QAction(self)
         self._look = QTimer(self, interval=LOOK_MS)
         self._lay_out()
         self._connect()
@@ -117,7 +117,6 @@ class LotsPage(StepPage):
         self._look.timeout.connect(self._look_again)
         self.report_action.triggered.connect(self._hand_on_report)
         self.table_action.triggered.connect(self._hand_on_table)
-        self.live_action.triggered.connect(self._go_live)
         context = Qt.ShortcutContext.WidgetWithChildrenShortcut
         for keys, act in (
             ("Ctrl+1", self.lot.show_summary), ("Ctrl+2", self.lot.show_fruit), ("Ctrl+F", self._search),
@@ -129,7 +128,6 @@ class LotsPage(StepPage):
         for action, text, tip, icon, key in (
             (self.report_action, self.tr("Report …"), self.tr("A PDF to hand to the grower"), "report", "Ctrl+R"),
             (self.table_action, self.tr("Table …"), self.tr("All fruit of the lot as CSV"), "export", "Ctrl+E"),
-            (self.live_action, self.tr("Live"), self.tr("Go on to the live screen"), "live", "Ctrl+Return"),
         ):
             action.setText(text)
             action.setToolTip(tip)
@@ -153,7 +151,7 @@ class LotsPage(StepPage):
         if there:
             self.offer(self.report_action, self.table_action)
         else:
-            self.offer(self.live_action)
+            self.offer(self.way_to(Step.LIVE))
         found, narrowed = self.lots.model.pages.found, self.lots.narrowed
         self._empty.show_words(*self._empty_words(found, narrowed=narrowed))
         self.say(self._next_words(there=there))
@@ -171,7 +169,8 @@ class LotsPage(StepPage):
 
     def _next_words(self, *, there: bool) -> str:
         if not there:
-            return self.tr("Here is what has been run.")
+            some = self.lots.model.pages.found or self.lots.narrowed
+            return self.tr("Choose a lot at the left.") if some else self.tr("Start a lot on the live screen first.")
         if not self.lot.at_fruit:
             return self.tr("Look through the fruit, correct what is wrong, then hand on the report.")
         if self.lot.fruit.opened:
@@ -250,9 +249,6 @@ class LotsPage(StepPage):
     def _hand_on_table(self) -> None:
         if self.lot.read is not None:
             self.handing_on.ask_table(self.lot.read.figures.lot)
-
-    def _go_live(self) -> None:
-        self.step_wanted.emit(Step.LIVE)
 
     def _search(self) -> None:
         self.lots.words.setFocus()

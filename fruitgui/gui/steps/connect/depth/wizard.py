@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 from datetime import datetime
-from functools import partial
 
 from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.calibration.warmup import Warmth
-from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.depth.actions import WizardActions
 from fruitgui.gui.steps.connect.depth.course import Course, Stage, Typed
+from fruitgui.gui.steps.connect.depth.keeping import corrected, keep_depth
 from fruitgui.gui.steps.connect.depth.panel import MeasurePanel
 from fruitgui.gui.steps.connect.depth.result_view import ResultView
 from fruitgui.gui.steps.connect.depth.work import Taken, Worked, taking, working_out
 from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
-from fruitgui.gui.told import Told, Words
 from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, Showing
 from fruitgui.station.depth_watch import Aim, DepthWatch, Looked
-from fruitgui.station.depths import DeviceDepth, DeviceDepths, device_depth
+from fruitgui.station.depths import DeviceDepth, device_depth
 
 DRAW_MS = 100
 LOOKED = {Stage.BELT: Looked.BELT, Stage.BOARD: Looked.BOARD, Stage.BALL: Looked.BALL}
@@ -64,7 +62,7 @@ class DepthWizard(QWidget):
     def actions_now(self) -> tuple[QAction, ...]:
         """The main action, then the others."""
         course = self._course
-        return () if course is None else self.choices.at(course, corrected=self._corrected(course.sensor))
+        return () if course is None else self.choices.at(course, corrected=corrected(self._session, course.sensor))
 
     @property
     def hint(self) -> str:
@@ -268,39 +266,14 @@ class DepthWizard(QWidget):
 
     # what is kept
 
-    def _serial(self, sensor: str) -> str:
-        connection = self._session.connection
-        return "" if connection is None else connection.serials().get(sensor, "")
-
-    def _corrected(self, sensor: str) -> bool:
-        known = self._session.depths.of(self._serial(sensor), sensor)
-        return known is not None and known.correction is not None
-
     def _keep(self) -> None:
         course = self._course
         if course is not None and course.fit is not None:
-            device = device_depth(course.fit, datetime.now().astimezone())
-            self._save(course.sensor, device, lambda: self.tr("The depth of {sensor} is corrected from now on."))
+            keep_depth(self._session, course.sensor, device_depth(course.fit, datetime.now().astimezone()))
+            self.end()
 
     def _remove(self) -> None:
         course = self._course
         if course is not None:
-            self._save(
-                course.sensor, DeviceDepth(), lambda: self.tr("The depth of {sensor} is used as the device gives it.")
-            )
-
-    def _save(self, sensor: str, device: DeviceDepth, words: Words) -> None:
-        before = self._session.depths
-        self._session.save_depths(before.with_device(self._serial(sensor), sensor, device))
-        calibrated = self._session.station is not None
-
-        def told() -> Told:
-            remedy = self.tr("Calibrate again.") if calibrated else ""
-            return Told(words().format(sensor=sensor), remedy, self.tr("Undo"))
-
-        said = Message(Level.GOOD, told, lambda: self._restore(before))
-        self._session.when_saved(partial(self._session.messages.say, said))
-        self.end()
-
-    def _restore(self, depths: DeviceDepths) -> None:
-        self._session.save_depths(depths)
+            keep_depth(self._session, course.sensor, DeviceDepth())
+            self.end()
