@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
-from PySide6.QtGui import QAction, QKeySequence, QShortcut
+from PySide6.QtGui import QAction, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.session import Session
@@ -22,7 +22,10 @@ from fruitgui.gui.widgets.cards import Card, EmptyPlace
 from fruitgui.records.lot_search import LotPage, LotQuery
 from fruitgui.station.workflow import Step
 
-LIST_WIDTH = 300
+LIST_WIDTH, WIDEST_LIST = 300, 440
+LIST_SHARE = 5
+"""Times as wide as the list is the screen, where there is room."""
+
 LOOK_MS = 2_000
 """How often a lot that is not ended is read again while it is looked at."""
 
@@ -80,6 +83,11 @@ class LotsPage(StepPage):
             self.lots.choose(lot)
             self._read_lot()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Let the list have its share: in a wide one, growers' names are whole."""
+        super().resizeEvent(event)
+        self.lots.setFixedWidth(min(max(self.width() // LIST_SHARE, LIST_WIDTH), WIDEST_LIST))
+
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
         if event.type() == QEvent.Type.LanguageChange:
@@ -89,7 +97,6 @@ class LotsPage(StepPage):
         super().changeEvent(event)
 
     def _lay_out(self) -> None:
-        self.lots.setFixedWidth(LIST_WIDTH)
         self._nothing.body.addWidget(self._empty)
         self._stack.addWidget(self._nothing)
         self._stack.addWidget(self.lot)
