@@ -80,8 +80,9 @@ def test_a_fresh_line_says_what_will_appear_here(qtbot: QtBot, session: Session,
     empty.show()
     _rest(qtbot, empty)
     assert empty.empty.isVisible()
-    assert not empty.open.isEnabled(), "nothing can come in before the sensors are calibrated"
-    assert "Calibrate" in empty.hint
+    assert not empty.choices.open.isEnabled(), "nothing can come in before the sensors are calibrated"
+    assert "Connect" in empty.hint, "what comes first of all"
+    assert empty.main_action is empty.way_to(Step.CONNECT)
 
 
 def test_keys_name_and_move_on_and_each_is_on_the_disk(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
