@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
 
@@ -12,7 +12,10 @@ from PySide6.QtCore import QObject, Signal
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui import error_words
-from fruitgui.gui.told import Telling
+from fruitgui.gui.step_words import way_words
+from fruitgui.gui.told import Telling, Told
+from fruitgui.gui.ways import mends_error
+from fruitgui.station.workflow import Step
 
 log = logging.getLogger(__name__)
 
@@ -68,10 +71,12 @@ class Messages(QObject):
     Attributes:
         said: a new `Message`.
         standing_changed: what holds now is another `Message`, see `stand`, or None.
+        step_wanted: the operator goes to the `Step` that mends what was said.
     """
 
     said = Signal(object)
     standing_changed = Signal(object)
+    step_wanted = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -114,14 +119,16 @@ class Messages(QObject):
         self.say(Message(Level.WARN, told, stays=stays))
 
     def error(self, error: FruitguiError) -> None:
-        """Say what failed and what to do; the log has it as exactly as the core said it."""
+        """Say what failed and what to do, with the way there; the log has it as exactly as the core said it."""
         log.error("%s: %s %s", error.code, error.what, error.remedy)
-        self.say(error_message(error))
+        step = mends_error(error.code)
+        lead = None if step is None else partial(self.step_wanted.emit, step)
+        self.say(Message(Level.BAD, partial(_told, error, step), lead, stays=True))
 
 
-def error_message(error: FruitguiError) -> Message:
-    """Return an error as a message."""
-    return Message(Level.BAD, partial(error_words.told, error), stays=True)
+def _told(error: FruitguiError, step: Step | None) -> Told:
+    told = error_words.told(error)
+    return told if step is None else replace(told, action=way_words(step)[0])
 
 
 _WEIGHTS = {

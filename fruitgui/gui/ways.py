@@ -23,6 +23,20 @@ _MENDS = {
 }
 
 
+_ERRORS = {
+    "bad_model": Step.TRAIN,
+    "no_such_model": Step.TRAIN,
+    "other_features": Step.TRAIN,
+    "bad_station": Step.CALIBRATE,
+    "no_sensor_in_common": Step.CALIBRATE,
+}
+
+
+def mends_error(code: str) -> Step | None:
+    """Return the step that mends what an error says, by its code; None where it is mended nowhere in the window."""
+    return _ERRORS.get(code)
+
+
 def at_root(step: Step, states: States) -> StepState:
     """Return a step's state; where it waits for others, the reason is that of the one which can be begun."""
     state = states[step]

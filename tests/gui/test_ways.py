@@ -197,6 +197,25 @@ def test_a_recording_at_its_end_is_started_again_by_a_press(
     qtbot.waitUntil(lambda: session.connected.feed not in (feed, None), timeout=LONG_MS)
 
 
+def test_sensors_that_were_stopped_are_told_and_started_again(
+    qtbot: QtBot, session: Session, recorded: LineRecording, made: Callable[[Step], StepPage]
+) -> None:
+    live, connect = made(Step.LIVE), made(Step.CONNECT)
+    assert isinstance(live, LivePage)
+    assert isinstance(connect, ConnectPage)
+    recorded.set_up(session)
+    qtbot.waitUntil(lambda: session.connected.feed is not None and not session.tasks.running, timeout=LONG_MS)
+    assert live.start.isEnabled()
+    session.connected.stop()
+    assert not live.start.isEnabled(), "a press would do nothing"
+    assert live.hint == "No sensor runs: start them again."
+    assert live.way_to(Step.CONNECT) in live.other_actions
+    assert connect.main_action is connect.start_action
+    assert connect.hint.startswith("No sensor runs.")
+    connect.start_action.trigger()
+    qtbot.waitUntil(live.start.isEnabled, timeout=LONG_MS)
+
+
 def test_a_calibration_that_holds_no_more_is_told_where_it_is_mended(
     qtbot: QtBot, session: Session, recorded: LineRecording, made: Callable[[Step], StepPage]
 ) -> None:

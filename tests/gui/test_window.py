@@ -9,7 +9,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
-from fruitgui.errors import WorldError
+from fruitgui.errors import InputError, WorldError
 from fruitgui.gui.action_bar import ActionButton
 from fruitgui.gui.health import warning_message
 from fruitgui.gui.messages import Level, Message, Messages
@@ -213,6 +213,20 @@ def test_a_jobs_name_takes_over_another_language_in_the_bar_and_in_its_error(
     error = session.messages.history[-1]
     assert "“Training”" in error.what
     assert "Entrenando" in _in_spanish(qapp, lambda: (error.what,))[0]
+
+
+def test_an_error_leads_to_the_step_that_mends_it(
+    qtbot: QtBot, qapp: QApplication, session: Session, window: MainWindow
+) -> None:
+    session.messages.error(WorldError("disk_full", "The disk is full.", "Make room on it.", file="records.sqlite"))
+    assert not window.action_bar._do.isVisible(), "no screen mends it"
+    window.action_bar._close.click()
+    session.messages.error(InputError("bad_model", "model.zip is not a model.", "Train again."))
+    do = window.action_bar._do
+    assert do.text() == "Train"
+    assert _in_spanish(qapp, lambda: (do.text(),)) == ("Entrenar",)
+    qtbot.mouseClick(do, Qt.MouseButton.LeftButton)
+    assert window.step is Step.TRAIN
 
 
 def test_the_rail_says_how_far_each_step_is(window: MainWindow) -> None:

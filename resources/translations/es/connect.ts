@@ -677,6 +677,10 @@
         <translation>Se miden los proyectores; mientras tanto las imágenes van y vienen.</translation>
     </message>
     <message>
+        <source>No sensor runs. Start them again, or connect another source.</source>
+        <translation>Ningún sensor funciona. Inícielos de nuevo o conecte otra fuente.</translation>
+    </message>
+    <message>
         <source>The recording is over. Start it again, or connect another source.</source>
         <translation>La grabación terminó. Iníciela de nuevo o conecte otra fuente.</translation>
     </message>

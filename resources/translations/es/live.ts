@@ -174,6 +174,10 @@
         <translation>Se están iniciando los sensores.</translation>
     </message>
     <message>
+        <source>No sensor runs: start them again.</source>
+        <translation>Ningún sensor funciona: inícielos de nuevo.</translation>
+    </message>
+    <message>
         <source>Start a lot to count fruit.</source>
         <translation>Inicie un lote para contar fruta.</translation>
     </message>

@@ -18,7 +18,8 @@ class SensorsNow:
 
     Attributes:
         running, count: how many run, of how many.
-        opening: they are being started. failure: why they could not be. over: their recording is at its end.
+        opening: they are being started. failure: why they could not be. still: nothing was left to run.
+        over: their recording is at its end.
         counting: a lot runs. recording: they are recorded. trying: their projectors are tried.
         calibrated: they know each other and the belt.
     """
@@ -27,6 +28,7 @@ class SensorsNow:
     count: int
     opening: bool = False
     failure: FruitguiError | None = None
+    still: bool = False
     over: bool = False
     counting: bool = False
     recording: bool = False
@@ -36,7 +38,9 @@ class SensorsNow:
     @property
     def stopped(self) -> bool:
         """Whether they stay as they are until a person starts them again."""
-        return not (self.opening or self.counting or self.recording) and (self.failure is not None or self.over)
+        return not (self.opening or self.counting or self.recording) and (
+            self.failure is not None or self.still or self.over
+        )
 
 
 def chooser_advice(*, chosen: bool) -> str:
@@ -61,6 +65,8 @@ def sensors_advice(now: SensorsNow) -> str:
     if now.failure is not None:
         told = error_words.told(now.failure)
         return f"{told.what} {told.remedy}"
+    if now.still:
+        return translate("ConnectPage", "No sensor runs. Start them again, or connect another source.")
     if now.over:
         return translate("ConnectPage", "The recording is over. Start it again, or connect another source.")
     if now.running < now.count:

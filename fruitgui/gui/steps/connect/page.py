@@ -225,12 +225,11 @@ class ConnectPage(StepPage):
     def _now(self) -> SensorsNow:
         """Return what goes on with the sensors."""
         session, health = self._session, self._session.connected.health
-        running, count = summary(self.views())
         return SensorsNow(
-            running,
-            count,
+            *summary(self.views()),
             opening=session.source.opening,
             failure=session.source.failure,
+            still=session.connected.feed is None,
             over=bool(health) and all(one.state is Running.ENDED for one in health.values()),
             counting=session.running.running,
             recording=self.recording.recording,

@@ -132,16 +132,18 @@ class LivePage(StepPage):
         self._stack.setCurrentWidget(self.body if ready else self.empty)
         self.empty.show_words(self.tr("Nothing can be counted yet"), reason_text(state))
         lot, running = self._running.lot, self._running.running
-        opening = self._session.source.opening
+        still = not running and self._session.connected.feed is None
         for action in (self.start, self.take_up):
-            action.setEnabled(ready and not opening)
+            action.setEnabled(ready and not still)
         ways = tuple(map(self.way_to, ways_on(state)))
         if not ready and ways:
             self.offer(ways[0], *((self.end,) if lot is not None else ()))
             self.say(reason_text(state) if lot is None else f"{self._left_open(lot)} {reason_text(state)}")
-        elif opening and not running:
-            self.offer(self.start if lot is None else self.take_up, self.way_to(Step.CONNECT))
-            self.say(self.tr("The sensors are being started."))
+        elif still:
+            ends = (self.end,) if lot is not None else ()
+            self.offer(self.start if lot is None else self.take_up, self.way_to(Step.CONNECT), *ends)
+            opening, stopped = self.tr("The sensors are being started."), self.tr("No sensor runs: start them again.")
+            self.say(opening if self._session.source.opening else stopped)
         elif lot is None:
             self.offer(self.start, *ways)
             self.say(" ".join(filter(None, (reason_text(state), self.tr("Start a lot to count fruit.")))))
