@@ -173,8 +173,6 @@ class ActionBar(QWidget):
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
         if event.type() == QEvent.Type.LanguageChange:
-            if self._message is not None and self._message.again is not None:
-                self._message = self._message.again()
             self._say_words()
         super().changeEvent(event)
 
@@ -200,7 +198,7 @@ class ActionBar(QWidget):
         hint = "" if self._page is None else self._page.hint
         text = hint if message is None else message.what
         if message is None and busy and self._task is not None:
-            text = self._task.name
+            text = self._task.name()
         self._text.setText(text)
         self._icon.setPixmap(
             icons.pixmap(level.value, self._theme.colour(_COLOURS[level]), ICON_PX, self.devicePixelRatioF())

@@ -28,6 +28,7 @@ from fruitgui.gui.speed_watch import SpeedWatch
 from fruitgui.gui.store_trouble import StoreTrouble, opened
 from fruitgui.gui.tasks import unexpected_error
 from fruitgui.gui.theme.theme import Theme, load_fonts
+from fruitgui.gui.told import Told
 from fruitgui.gui.translate import Language
 from fruitgui.gui.window import MainWindow
 from fruitgui.resources import folder
@@ -74,7 +75,9 @@ class Application(QObject):
     def start(self) -> None:
         """Show the window and begin to look after things."""
         sys.setswitchinterval(HAND_OVER_S)
-        self._logs.open(lambda error: self.session.messages.error(unexpected_error(self.tr("the window"), error)))
+        self._logs.open(
+            lambda error: self.session.messages.error(unexpected_error(lambda: self.tr("the window"), error))
+        )
         self._collector.start()
         self._health.start()
         self._housekeeping.start()
@@ -89,16 +92,14 @@ class Application(QObject):
 
     def _damaged(self, damage: Damage) -> Message:
         """Return what is said of a file that could not be read; the last good one is offered where there is one."""
-        what = self.tr("{file} is damaged; it was set aside, unharmed.").format(file=damage.file.name)
-        why = error_words.told(damage.error).what
-        again = partial(self._damaged, damage)
-        if damage.last_good is None:
-            return Message(Level.BAD, what, why, stays=True, again=again)
 
-        def take() -> None:
-            self.session.take_last_good(damage)
+        def told() -> Told:
+            what = self.tr("{file} is damaged; it was set aside, unharmed.").format(file=damage.file.name)
+            action = "" if damage.last_good is None else self.tr("Take the last good one")
+            return Told(what, error_words.told(damage.error).what, action)
 
-        return Message(Level.BAD, what, why, self.tr("Take the last good one"), take, stays=True, again=again)
+        take = None if damage.last_good is None else partial(self.session.take_last_good, damage)
+        return Message(Level.BAD, told, take, stays=True)
 
     def _close(self) -> bool:
         """End all that runs; it was saved as it came, or is now."""
@@ -159,7 +160,7 @@ class Application(QObject):
 
     def _show_help(self) -> None:
         if self._help is None:
-            self._help = HelpWindow(self.theme, self.language.name, self._logs.path, self.window)
+            self._help = HelpWindow(self.theme, self.language, self._logs.path, self.window)
             self._help.finished.connect(self._forget_help)
         self._help.show()
         self._help.raise_()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import shutil
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -16,6 +16,7 @@ from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.recorder_words import clock_time
 from fruitgui.gui.session import Session
+from fruitgui.gui.told import Told
 from fruitgui.gui.top_bar import Pill, TopBar
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.live.blind import Blind
@@ -140,18 +141,20 @@ def warning_message(warning: LiveWarning, blind: Blind | None = None) -> Message
         "not_drawn": _not_drawn, "not_watched": _not_watched,
     }.get(warning.code)  # fmt: skip
     if words is None:
-        return Message(Level.WARN, warning.text)
-    what, remedy = words()
+        return Message(Level.WARN, lambda: Told(warning.text))
     stays = warning.code in STAYING
-    sensors = ", ".join(warning.sensors)
-    level, again = Level.BAD if stays else Level.WARN, partial(warning_message, warning, blind)
-    return Message(level, what.format(sensors=sensors), remedy, stays=stays, again=again)
+    return Message(Level.BAD if stays else Level.WARN, partial(_told, words, ", ".join(warning.sensors)), stays=stays)
 
 
 def blind_message(blind: Blind) -> Message:
     """Return what is said while nobody sees some of the belt."""
     level = Level.BAD if blind.loses_fruit else Level.WARN
-    return Message(level, f"{blind_text(blind)}.", blind_remedy(blind))
+    return Message(level, lambda: Told(f"{blind_text(blind)}.", blind_remedy(blind)))
+
+
+def _told(words: Callable[[], tuple[str, str]], sensors: str) -> Told:
+    what, remedy = words()
+    return Told(what.format(sensors=sensors), remedy)
 
 
 def _bumped() -> tuple[str, str]:

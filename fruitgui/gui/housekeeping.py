@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QCoreApplication, QObject, QTimer
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui.session import Session
@@ -41,7 +41,7 @@ class Housekeeping(QObject):
         def job(progress: Progress, cancelled: Cancelled) -> int:  # noqa: ARG001 - nobody waits for it
             return crops.age_out(days, cancelled)
 
-        self._task = Task("clearing up", job, self)
+        self._task = Task(_doing, job, self)
         self._task.succeeded.connect(self._cleared)
         self._task.failed.connect(self._failed)
         self._task.ended.connect(self._ended)
@@ -66,3 +66,8 @@ class Housekeeping(QObject):
             self._task.deleteLater()
             self._task = None
         self._timer.start(EVERY_MS)
+
+
+def _doing() -> str:
+    """Return what is being done; a method would be held by its own child, which Qt destroys after it."""
+    return QCoreApplication.translate("Housekeeping", "Letting old pictures go")

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from PySide6.QtCore import Qt, QUrl
+from PySide6.QtCore import QPoint, Qt, QUrl
 from PySide6.QtGui import (
     QBrush,
     QFont,
     QImage,
+    QResizeEvent,
     QTextBlock,
     QTextBlockFormat,
     QTextCharFormat,
@@ -28,6 +29,9 @@ from fruitgui.gui.theme.tokens import GRID
 
 WIDEST_PICTURE = 760
 """Pixels."""
+
+WIDEST_PX = 900
+"""Of the text: a longer line is lost on the way back to the next one."""
 
 LINE_PERCENT, CELL_LINE_PERCENT = 130.0, 115.0
 """Height of a line; in cells of tables it is less."""
@@ -48,25 +52,38 @@ class ManualView(QTextBrowser):
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
+        self._page: QTextDocument | None = None
         self.setProperty("role", "manual")
         self.setOpenExternalLinks(True)
         self.setAccessibleName(self.tr("Manual"))
-        theme.changed.connect(self._set)
+        theme.changed.connect(self._set_anew)
 
     def show_page(self, page: Path) -> None:
         """Read a page; its pictures are found as seen from its folder."""
-        document = self.document()
+        before, self._page = self._page, QTextDocument(self)
+        document = self._page  # always a new one: Qt 6.11 crashes where it reads a page over another that was shown
         document.setBaseUrl(QUrl.fromLocalFile(f"{page.parent}/"))
         document.setMarkdown(page.read_text(encoding="utf-8"), QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
+        self.setDocument(document)
+        if before is not None:
+            before.deleteLater()
         self._set()
+        self._bring_to_top(None)
 
     def show_chapter(self, number: int) -> None:
         """Scroll to the chapter (a heading of the second level) that begins with a number."""
         for block in _blocks(self.document()):
             if block.blockFormat().headingLevel() == 2 and block.text().startswith(f"{number}."):
-                place = self.document().documentLayout().blockBoundingRect(block)
-                self.verticalScrollBar().setValue(int(place.top()))
+                self._bring_to_top(block)
                 return
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Keep lines short and in the middle, and what is being read where it is."""
+        read = self._at_top()
+        side = max((self.width() - WIDEST_PX) // 2, 0)
+        self.setViewportMargins(side, 0, side, 0)
+        super().resizeEvent(event)
+        self._bring_to_top(read)
 
     def loadResource(self, kind: int, name: QUrl | str) -> object:  # noqa: N802 - Qt's name
         """Return a picture no wider than the text, smoothly made smaller, or what else is asked for."""
@@ -75,6 +92,23 @@ class ManualView(QTextBrowser):
             return found
         image = QImage(self.document().baseUrl().resolved(QUrl(name)).toLocalFile())
         return _fitted(image, self.devicePixelRatioF())
+
+    def _at_top(self) -> QTextBlock | None:
+        """Return what is being read; None at the very beginning."""
+        return self.cursorForPosition(QPoint(0, 0)).block() if self.verticalScrollBar().value() else None
+
+    def _bring_to_top(self, block: QTextBlock | None) -> None:
+        document = self.document()
+        document.size()  # lays out all of it, so that there is something to scroll to
+        # What has the cursor is what Qt shows first, and what is read aloud.
+        self.setTextCursor(QTextCursor(document) if block is None else QTextCursor(block))
+        top = 0.0 if block is None else document.documentLayout().blockBoundingRect(block).top()
+        self.verticalScrollBar().setValue(int(top))
+
+    def _set_anew(self) -> None:
+        read = self._at_top()
+        self._set()
+        self._bring_to_top(read)
 
     def _set(self) -> None:
         document = self.document()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
 
@@ -12,6 +12,10 @@ from PySide6.QtCore import QObject, Signal
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui import error_words
+from fruitgui.gui.step_words import way_words
+from fruitgui.gui.told import Telling, Told
+from fruitgui.gui.ways import mends_error
+from fruitgui.station.workflow import Step
 
 log = logging.getLogger(__name__)
 
@@ -25,26 +29,40 @@ class Level(Enum):
     BAD = "bad"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Message:
-    """One thing said.
+    """One thing said; its words are found anew whenever they are asked for, in the language in force then.
 
     Attributes:
         level: how much it matters.
-        what: what happened, and what it means.
-        remedy: what to do; empty where there is nothing to do.
-        action, act: a word on a button, and what it does; for example Undo.
+        told: what happened, what to do, and the word on a button, for example Undo.
+        act: what that button does.
         stays: until the person has closed it; others go by themselves.
-        again: says the same in the language that the window speaks now; None where the words are all there is.
     """
 
     level: Level
-    what: str
-    remedy: str = ""
-    action: str = ""
+    told: Telling
     act: Callable[[], None] | None = None
     stays: bool = False
-    again: Callable[[], Message] | None = field(default=None, compare=False)
+
+    @property
+    def what(self) -> str:
+        """What happened, and what it means."""
+        return self.told().what
+
+    @property
+    def remedy(self) -> str:
+        """What to do; empty where there is nothing to do."""
+        return self.told().remedy
+
+    @property
+    def action(self) -> str:
+        """The word on its button; empty where it has none."""
+        return self.told().action
+
+    def says_as(self, other: Message | None) -> bool:
+        """Whether a person reads the same in another one."""
+        return other is not None and (self.level, self.told()) == (other.level, other.told())
 
 
 class Messages(QObject):
@@ -53,10 +71,12 @@ class Messages(QObject):
     Attributes:
         said: a new `Message`.
         standing_changed: what holds now is another `Message`, see `stand`, or None.
+        step_wanted: the operator goes to the `Step` that mends what was said.
     """
 
     said = Signal(object)
     standing_changed = Signal(object)
+    step_wanted = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -82,31 +102,33 @@ class Messages(QObject):
             self._standing.pop(name, None)
         else:
             self._standing[name] = message
-        if self.standing != before:
-            self.standing_changed.emit(self.standing)
+        now = self.standing
+        if now is not before and not (now is not None and now.says_as(before)):
+            self.standing_changed.emit(now)
 
-    def info(self, what: str, action: str = "", act: Callable[[], None] | None = None) -> None:
+    def info(self, told: Telling, act: Callable[[], None] | None = None) -> None:
         """Say what was done, with a way to undo it where there is one."""
-        self.say(Message(Level.INFO, what, action=action, act=act))
+        self.say(Message(Level.INFO, told, act))
 
-    def good(self, what: str) -> None:
+    def good(self, told: Telling) -> None:
         """Say that something worked."""
-        self.say(Message(Level.GOOD, what))
+        self.say(Message(Level.GOOD, told))
 
-    def warn(self, what: str, remedy: str = "", *, stays: bool = False) -> None:
+    def warn(self, told: Telling, *, stays: bool = False) -> None:
         """Say what should be looked after."""
-        self.say(Message(Level.WARN, what, remedy, stays=stays))
+        self.say(Message(Level.WARN, told, stays=stays))
 
     def error(self, error: FruitguiError) -> None:
-        """Say what failed and what to do; the log has it as exactly as the core said it."""
+        """Say what failed and what to do, with the way there; the log has it as exactly as the core said it."""
         log.error("%s: %s %s", error.code, error.what, error.remedy)
-        self.say(error_message(error))
+        step = mends_error(error.code)
+        lead = None if step is None else partial(self.step_wanted.emit, step)
+        self.say(Message(Level.BAD, partial(_told, error, step), lead, stays=True))
 
 
-def error_message(error: FruitguiError) -> Message:
-    """Return an error as a message, in the language that the window speaks now."""
+def _told(error: FruitguiError, step: Step | None) -> Told:
     told = error_words.told(error)
-    return Message(Level.BAD, told.what, told.remedy, stays=True, again=partial(error_message, error))
+    return told if step is None else replace(told, action=way_words(step)[0])
 
 
 _WEIGHTS = {

@@ -182,4 +182,4 @@ def _answer(asked: _Asked) -> None:
         asked.error = error
     except Exception as error:  # the edge of a thread: whatever went wrong is told, and the window lives on
         log.exception("question %s", asked.name)
-        asked.error = unexpected_error(asked.name, error)
+        asked.error = unexpected_error(lambda: asked.name, error)

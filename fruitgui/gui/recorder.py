@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QTimer, QUrl, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QTimer, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
 
 from fruitgui.errors import FruitguiError, WorldError
@@ -12,6 +12,7 @@ from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.recorder_words import recorded_message
 from fruitgui.gui.tasks import Job, Task, TaskRunner
+from fruitgui.gui.told import Told
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.recordings import Split
@@ -87,7 +88,7 @@ class Recorder(QObject):
             return
         plan = RecordPlan(recording_path(self.folder, name), seconds, Split(most_bytes=MOST_PART_BYTES))
         self._plan, self._newest = plan, None
-        self._task = self._tasks.run(self.tr("Recording"), self._job(feed, plan))
+        self._task = self._tasks.run(_doing, self._job(feed, plan))
         self._task.succeeded.connect(self._tell)
         self._task.failed.connect(self._fail)
         self._task.cancelled.connect(self._tell_nothing)
@@ -116,21 +117,28 @@ class Recorder(QObject):
         return job
 
     def _tell(self, done: Recorded) -> None:
-        what, remedy, good = recorded_message(done)
+        def told() -> Told:
+            what, remedy, _ = recorded_message(done)
+            return Told(what, remedy, self.tr("Show the folder"))
 
         def look() -> None:
             QDesktopServices.openUrl(QUrl.fromLocalFile(str(self.folder)))
 
-        level = Level.GOOD if good else Level.WARN
-        self._messages.say(Message(level, what, remedy, self.tr("Show the folder"), look, stays=not good))
+        _, _, good = recorded_message(done)
+        self._messages.say(Message(Level.GOOD if good else Level.WARN, told, look, stays=not good))
 
     def _fail(self, error: FruitguiError) -> None:
         self._messages.error(error)
 
     def _tell_nothing(self) -> None:
-        self._messages.info(self.tr("Nothing was recorded: the sensors had given nothing yet."))
+        self._messages.info(lambda: Told(self.tr("Nothing was recorded: the sensors had given nothing yet.")))
 
     def _end(self) -> None:
         self._look.stop()
         self._task = self._plan = self._newest = None
         self.changed.emit()
+
+
+def _doing() -> str:
+    """Return what is being done."""
+    return QCoreApplication.translate("Recorder", "Recording")

@@ -9,14 +9,15 @@ from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QDateTime, QLocale, QObject, QTimer, Signal
 
-from fruitgui.errors import FruitguiError, InputError, WorldError
+from fruitgui.errors import FruitguiError, WorldError
 from fruitgui.gui.beginning import Begun, LinePlan, begun
 from fruitgui.gui.connected import Connected
-from fruitgui.gui.messages import Messages
+from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.numbers import count_text
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.tasks import Job, Task, TaskRunner
+from fruitgui.gui.told import Told, Words
 from fruitgui.gui.troubles import Troubles
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.lot import Lot, LotPlan
@@ -27,6 +28,8 @@ from fruitgui.station.live.blind import Blind
 from fruitgui.station.noted import NotedSink
 
 T = TypeVar("T")
+
+translate = QCoreApplication.translate
 
 TICK_MS = 100
 CLOSE_S = 6.0
@@ -149,12 +152,12 @@ class Running(QObject):
             if line is None:
                 ended = self._store.lots.end_left_open(lot.key)
             else:
-                progress(0.0, QCoreApplication.translate("Running", "Counting the fruit still in view"))
+                progress(0.0, translate("Running", "Counting the fruit still in view"))
                 line.stop()
                 ended = self._store.lots.end(lot.key)
             return EndedLot(ended, sum(one.fruit for one in self._store.lots.totals(lot.key)))
 
-        self._run(QCoreApplication.translate("Running", "Ending the lot"), job, self._ended)
+        self._run(lambda: translate("Running", "Ending the lot"), job, self._ended)
 
     def close(self) -> bool:
         """Stop the line; the lot stays open and can be taken up again. Tell whether all was counted in time."""
@@ -173,10 +176,10 @@ class Running(QObject):
             self._connected.release()
 
         def job(progress: Progress, cancelled: Cancelled) -> Begun:  # noqa: ARG001 - it takes a second or two
-            progress(0.0, QCoreApplication.translate("Running", "Starting the line"))
+            progress(0.0, translate("Running", "Starting the line"))
             return begun(now, plan, self._store, lot, _source_name())
 
-        self._run(QCoreApplication.translate("Running", "Starting the lot"), job, self._begun)
+        self._run(lambda: translate("Running", "Starting the lot"), job, self._begun)
 
     def _begun(self, made: Begun) -> None:
         self._connected.adopt(made.feed)
@@ -193,24 +196,20 @@ class Running(QObject):
         self._look()
         self._line, self.lot = None, None
         self._tick.stop()
-        self._messages.good(
-            QCoreApplication.translate("Running", "Lot {name} is ended with {count} fruit.").format(
-                name=ended.lot.name, count=count_text(ended.fruit)
-            )
-        )
+        self._messages.good(lambda: _ended_told(ended))
         self.changed.emit()
 
     def _keep(self, change: Callable[[], Lot]) -> None:
         def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - one row of a table
             return change()
 
-        self._run(QCoreApplication.translate("Running", "Keeping the lot"), job, self._kept)
+        self._run(lambda: translate("Running", "Keeping the lot"), job, self._kept)
 
     def _kept(self, lot: Lot) -> None:
         self.lot = lot
         self.changed.emit()
 
-    def _run(self, name: str, job: Job[T], done: Callable[[T], None]) -> Task[T]:
+    def _run(self, name: Words, job: Job[T], done: Callable[[T], None]) -> Task[T]:
         task = self._tasks.run(name, job)
         task.succeeded.connect(done)
         task.failed.connect(self._failed)
@@ -266,17 +265,23 @@ class Running(QObject):
             line.stop()
             return self._store.lots.pause(lot.key)
 
-        self._run(QCoreApplication.translate("Running", "Stopping the line"), job, self._kept)
-        self._messages.error(
-            InputError(
-                "sensors_changed",
-                QCoreApplication.translate("Running", "The sensors were changed, so the line was stopped."),
-                QCoreApplication.translate("Running", "The lot is still open: go on with it on the live screen."),
-            )
-        )
+        self._run(lambda: translate("Running", "Stopping the line"), job, self._kept)
+        self._messages.say(Message(Level.BAD, _sensors_changed, stays=True))
+
+
+def _ended_told(ended: EndedLot) -> Told:
+    text = translate("Running", "Lot {name} is ended with {count} fruit.")
+    return Told(text.format(name=ended.lot.name, count=count_text(ended.fruit)))
+
+
+def _sensors_changed() -> Told:
+    return Told(
+        translate("Running", "The sensors were changed, so the line was stopped."),
+        translate("Running", "The lot is still open: go on with it on the live screen."),
+    )
 
 
 def _source_name() -> str:
     """Return what unknown fruit of a run are said to come from."""
     began = QLocale().toString(QDateTime.currentDateTime(), QLocale.FormatType.ShortFormat)
-    return QCoreApplication.translate("Running", "Unknown, {time}").format(time=began)
+    return translate("Running", "Unknown, {time}").format(time=began)

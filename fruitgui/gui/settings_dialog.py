@@ -17,14 +17,15 @@ from PySide6.QtWidgets import (
 from fruitgui.gui.numbers import THIN
 from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.translate import LANGUAGES
-from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.cards import label, set_health
 from fruitgui.gui.widgets.decimal_box import DecimalBox
+from fruitgui.gui.widgets.keeping_time import KeepingTime, shorter
 from fruitgui.station.settings import Settings
 
 MB_PER_GB = 1000
 GB_DIGITS = 2
+WIDTH = 620
 MOST_GB = 10_000
-MOST_DAYS = 36_500
 
 
 class SettingsDialog(QDialog):
@@ -34,11 +35,14 @@ class SettingsDialog(QDialog):
         super().__init__(parent)
         self._settings = settings
         self.language, self.theme = QComboBox(), QComboBox()
-        self.days, self.free_gb = DecimalBox(), DecimalBox()
+        self.pictures, self.free_gb = KeepingTime(settings.crops_kept_days), DecimalBox()
+        self.gone = self._note("")
         self._fill()
         self._lay_out()
+        self.pictures.changed.connect(self._show_gone)
+        self._show_gone()
         self.setWindowTitle(self.tr("Settings"))
-        self.setMinimumWidth(520)
+        self.setMinimumWidth(WIDTH)
 
     @property
     def chosen(self) -> Settings:
@@ -47,7 +51,7 @@ class SettingsDialog(QDialog):
             update={
                 "language": self.language.currentData(),
                 "theme": self.theme.currentData(),
-                "crops_kept_days": round(self.days.value()),
+                "crops_kept_days": self.pictures.days,
                 "least_free_mb": self._least_free_mb(),
             }
         )
@@ -69,14 +73,9 @@ class SettingsDialog(QDialog):
             self.theme.addItem(text, name)
         self.language.setCurrentIndex(max(self.language.findData(self._settings.language), 0))
         self.theme.setCurrentIndex(max(self.theme.findData(self._settings.theme), 0))
-        self.days.setDecimals(0)
-        self.days.setRange(0, MOST_DAYS)
-        self.days.setSpecialValueText(self.tr("for ever"))
-        self.days.setSuffix(self.tr(" days"))
-        self.days.setValue(self._settings.crops_kept_days)
-        for box in (self.days, self.free_gb):
-            box.setMinimumHeight(TOUCH)
+        for box in (self.pictures.own, self.free_gb):
             box.lineEdit().setTextMargins(2 * GRID - 2, 0, 0, 0)
+        self.free_gb.setMinimumHeight(TOUCH)
         self.free_gb.setDecimals(GB_DIGITS)
         self.free_gb.setRange(0, MOST_GB)
         self.free_gb.setSuffix(f"{THIN}GB")
@@ -88,8 +87,8 @@ class SettingsDialog(QDialog):
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._row(form, self.tr("&Language"), self.language)
         self._row(form, self.tr("L&ook"), self.theme)
-        self._row(form, self.tr("Keep &pictures of fruit"), self.days)
-        form.addRow(self._note(self.tr("Counts, sizes and kinds are kept for ever; only the pictures are deleted.")))
+        self._row(form, self.tr("Keep &pictures of fruit"), self.pictures)
+        form.addRow(self.gone)
         self._row(form, self.tr("&Free room that stays on the disk"), self.free_gb)
         form.addRow(self._note(self.tr("With less, recording stops and no more pictures are kept. Counting goes on.")))
         buttons = QDialogButtonBox(
@@ -112,8 +111,19 @@ class SettingsDialog(QDialog):
         named = QLabel(text)
         named.setMinimumHeight(TOUCH)
         named.setBuddy(field)
-        field.setAccessibleName(text.replace("&", ""))
+        named_field = field.focusProxy() or field
+        named_field.setAccessibleName(text.replace("&", ""))
         form.addRow(named, field)
+
+    def _show_gone(self) -> None:
+        """Say what goes; pictures that go at once, by what is chosen now, go for good."""
+        soon = shorter(self.pictures.days, self._settings.crops_kept_days)
+        set_health(self.gone, "warn" if soon else "")
+        self.gone.setText(
+            self.tr("Once saved, older pictures are deleted for good. Counts, sizes and what was taught stay for ever.")
+            if soon
+            else self.tr("Older pictures of counted fruit go. Counts, sizes and what was taught stay for ever.")
+        )
 
     def _note(self, text: str) -> QLabel:
         note = label(text, "small")

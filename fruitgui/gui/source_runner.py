@@ -116,7 +116,7 @@ class SourceRunner(QObject):
         before = self._connected.release()
         self._rig = None
         words = (self.tr("Stopping the sensors that ran before"), self.tr("Opening the source"))
-        self._task = self._tasks.run(self.tr("Connecting the sensors"), _job(before, source, connection, words))
+        self._task = self._tasks.run(lambda: self.tr("Connecting the sensors"), _job(before, source, connection, words))
         self._task.succeeded.connect(self._run)
         self._task.failed.connect(self._fail)
         self._task.ended.connect(self._end)

@@ -11,6 +11,7 @@ from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.presenter import plan_of
+from fruitgui.gui.told import Told
 
 ABOVE = 1.03
 """Times the highest speed: the belt's own is known to a hundredth or two."""
@@ -37,11 +38,12 @@ class SpeedWatch(QObject):
         speed_m_s = float(np.linalg.norm(state.belt_velocity_m_s))
         if plan is not None and speed_m_s > ABOVE * plan.highest_speed_m_s:
             self._said = lot.key
-            session.messages.say(self._message(speed_m_s, plan.highest_speed_m_s))
+            told = partial(self._told, speed_m_s, plan.highest_speed_m_s)
+            session.messages.say(Message(Level.BAD, told, stays=True))
 
-    def _message(self, speed_m_s: float, highest_m_s: float) -> Message:
+    def _told(self, speed_m_s: float, highest_m_s: float) -> Told:
         what = self.tr("The belt runs at {speed}; these sensors follow fruit up to {highest}.").format(
             speed=f"{number_text(speed_m_s, 2)}{THIN}m/s", highest=f"{number_text(highest_m_s, 2)}{THIN}m/s"
         )
         remedy = self.tr("Slow it down: fruit may be missed, or counted twice. Step 1 says what limits the speed.")
-        return Message(Level.BAD, what, remedy, stays=True, again=partial(self._message, speed_m_s, highest_m_s))
+        return Told(what, remedy)

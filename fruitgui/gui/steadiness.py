@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
 
 from fruitgui.calibration.light_drift import LightDrift
@@ -9,6 +11,7 @@ from fruitgui.calibration.warmup import Warmth
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.running import Running
+from fruitgui.gui.told import Telling, Told
 from fruitgui.station.steadiness import Steadiness, SteadinessWatch
 
 LOOK_MS = 5000
@@ -73,16 +76,14 @@ class SensorsSteadiness(QObject):
         for sensor in () if feed is None else feed.sensors:
             now = self.of(sensor)
             if now.light is not None and (now.light.brightness_off or now.light.white_off):
-                self._say_once("light", sensor, light_text(sensor, now.light), _light_remedy())
+                self._say_once("light", sensor, partial(_light, sensor, now.light))
             if self._running.running and now.warmup.state is Warmth.DRIFTING:
-                what = translate("Steadiness", "The depth of {sensor} still drifts: it warms up.")
-                remedy = translate("Steadiness", "Sizes are right once it is steady; the screen “Connect” says when.")
-                self._say_once("warmup", sensor, what.format(sensor=sensor), remedy)
+                self._say_once("warmup", sensor, partial(_warmup, sensor))
 
-    def _say_once(self, what: str, sensor: str, text: str, remedy: str) -> None:
+    def _say_once(self, what: str, sensor: str, told: Telling) -> None:
         if (what, sensor) not in self._said:
             self._said.add((what, sensor))
-            self._messages.warn(text, remedy)
+            self._messages.warn(told)
 
 
 def light_text(sensor: str, light: LightDrift) -> str:
@@ -96,8 +97,14 @@ def light_text(sensor: str, light: LightDrift) -> str:
     return text.format(sensor=sensor)
 
 
-def _light_remedy() -> str:
-    return translate(
+def _light(sensor: str, light: LightDrift) -> Told:
+    remedy = translate(
         "Steadiness",
         "Kinds may be mistaken. Bring the light back, or start the sensors again so that they adjust to it.",
     )
+    return Told(light_text(sensor, light), remedy)
+
+
+def _warmup(sensor: str) -> Told:
+    what = translate("Steadiness", "The depth of {sensor} still drifts: it warms up.").format(sensor=sensor)
+    return Told(what, translate("Steadiness", "Sizes are right once it is steady; the screen “Connect” says when."))

@@ -23,6 +23,21 @@ def step_name(step: Step) -> str:
     }[step]
 
 
+def way_words(step: Step) -> tuple[str, str]:
+    """Return what stands on the button that leads to a step, and what is said of it."""
+    return {
+        Step.CONNECT: (step_name(step), QCoreApplication.translate("Steps", "Go to the sensors")),
+        Step.CALIBRATE: (step_name(step), QCoreApplication.translate("Steps", "Go to calibrating")),
+        Step.BELT: (QCoreApplication.translate("Steps", "Set the belt"),
+                    QCoreApplication.translate("Steps", "Go to the belt")),
+        Step.TEACH: (step_name(step), QCoreApplication.translate("Steps", "Go to teaching")),
+        Step.TRAIN: (step_name(step), QCoreApplication.translate("Steps", "Go to training")),
+        Step.LIVE: (QCoreApplication.translate("Steps", "Go live"),
+                    QCoreApplication.translate("Steps", "Go to the live screen")),
+        Step.LOTS: (step_name(step), QCoreApplication.translate("Steps", "Go to what has been run")),
+    }[step]  # fmt: skip
+
+
 def state_name(state: StepState) -> str:
     """Return how far a step is, in a word or two."""
     return {

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from fruitgui.errors import FruitguiError, WorldError
@@ -15,6 +15,7 @@ from fruitgui.gui import error_words
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.times import moment_text
+from fruitgui.gui.told import Words
 from fruitgui.gui.widgets.cards import label, set_health
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.backup import Backup
@@ -25,6 +26,8 @@ from fruitgui.records.told import DAMAGED, FAILED
 T = TypeVar("T")
 
 WIDTH = 620
+
+translate = QCoreApplication.translate
 
 
 class StoreTrouble(QDialog):
@@ -134,7 +137,7 @@ class StoreTrouble(QDialog):
         def job(progress: Progress, cancelled: Cancelled) -> Backup | None:  # noqa: ARG001 - how long is not known
             return last_good_backup(folder, cancelled)
 
-        self._run(self.tr("Looking for the last good backup …"), job, self._found)
+        self._run(lambda: translate("StoreTrouble", "Looking for the last good backup …"), job, self._found)
 
     def _restore(self) -> None:
         folder, backup = self._folder, self._backup
@@ -144,10 +147,10 @@ class StoreTrouble(QDialog):
         def job(progress: Progress, cancelled: Cancelled) -> None:
             restore(folder, backup.path, time.time(), progress, cancelled)
 
-        self._run(self.tr("Restoring the backup …"), job, self._restored)
+        self._run(lambda: translate("StoreTrouble", "Restoring the backup …"), job, self._restored)
 
-    def _run(self, words: str, job: Job[T], done: Callable[[T], None]) -> None:
-        self._state.setText(words)
+    def _run(self, words: Words, job: Job[T], done: Callable[[T], None]) -> None:
+        self._state.setText(words())
         self._bar.show()
         for button in (self.again, self.anew, self.restore):
             button.setEnabled(False)

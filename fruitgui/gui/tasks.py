@@ -10,6 +10,7 @@ from typing import Generic, Protocol, TypeVar
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from fruitgui.errors import CancelledByUserError, FruitguiError, WorldError
+from fruitgui.gui.told import Words
 from fruitgui.progress import Cancelled, Progress
 
 T = TypeVar("T")
@@ -32,6 +33,7 @@ class Task(QObject, Generic[T]):
     """One job on a thread of its own; all signals come on the window's thread.
 
     Attributes:
+        name: what is being done, in the language in force.
         progressed: share done (0–1) and what is being done, when either changed.
         succeeded: the result.
         failed: a `FruitguiError`.
@@ -45,7 +47,7 @@ class Task(QObject, Generic[T]):
     cancelled = Signal()
     ended = Signal()
 
-    def __init__(self, name: str, job: Job[T], parent: QObject | None = None) -> None:
+    def __init__(self, name: Words, job: Job[T], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.name = name
         self._job = job
@@ -54,7 +56,7 @@ class Task(QObject, Generic[T]):
         self._shown: tuple[float, str] = (0.0, "")
         self._outcome: Callable[[], None] | None = None
         self._over = self._abandoned = False
-        self._thread = threading.Thread(target=self._work, name=f"task {name}", daemon=True)
+        self._thread = threading.Thread(target=self._work, name=f"task {name()}", daemon=True)
         self._look = QTimer(self, interval=LOOK_MS, timerType=Qt.TimerType.CoarseTimer)
         self._look.timeout.connect(self._watch)
 
@@ -104,7 +106,7 @@ class Task(QObject, Generic[T]):
             told = error
             self._outcome = lambda: self.failed.emit(told)
         except Exception as error:  # the edge of a thread: whatever went wrong is told, and the window lives on
-            log.exception("task %s", self.name)
+            log.exception("task %s", self.name())
             unexpected = unexpected_error(self.name, error)
             self._outcome = lambda: self.failed.emit(unexpected)
         else:
@@ -126,11 +128,11 @@ class Task(QObject, Generic[T]):
         self.ended.emit()
 
 
-def unexpected_error(doing: str, error: BaseException) -> WorldError:
-    """Return what to tell of an error that nobody foresaw."""
+def unexpected_error(doing: Words, error: BaseException) -> WorldError:
+    """Return what to tell of an error that nobody foresaw; what was being done is worded when the error is."""
     return WorldError(
         "unexpected",
-        f"Something went wrong in “{doing}” that this program did not foresee ({type(error).__name__}: {error}).",
+        f"Something went wrong in “{doing()}” that this program did not foresee ({type(error).__name__}: {error}).",
         "Nothing that was saved is lost. Try again; if it happens again, send the log file (Help, Show log).",
         values={"doing": doing},
     )
@@ -155,8 +157,14 @@ class TaskRunner(QObject):
         """The tasks that have not ended."""
         return tuple(self._tasks)
 
-    def run(self, name: str, job: Job[T]) -> Task[T]:
-        """Make a task and start it as soon as the caller has connected to it."""
+    def run(self, name: Words, job: Job[T]) -> Task[T]:
+        """Make a task and start it as soon as the caller has connected to it.
+
+        Args:
+            name: what is being done; asked for on any thread, and as long as the task lives, so it should hold no
+                object that goes before.
+            job: does it.
+        """
         task: Task[T] = Task(name, job, self)
         if self._closed:
             task.abandon()

@@ -48,6 +48,7 @@ class MainWindow(QMainWindow):
         self.rail.chosen.connect(self.go_to)
         messages.said.connect(self.action_bar.say)
         messages.standing_changed.connect(self.action_bar.stand)
+        messages.step_wanted.connect(self.go_to)
         self.action_bar.stand(messages.standing)
         tasks.changed.connect(lambda: self._follow_tasks(tasks))
         for key, step in (("Ctrl+PgUp", -1), ("Ctrl+PgDown", 1)):

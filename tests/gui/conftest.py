@@ -17,9 +17,13 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from fruitgui.gui.messages import Message, Messages
 from fruitgui.gui.session import Session
+from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme, load_fonts
+from fruitgui.gui.told import Words
 from fruitgui.station.workspace import open_workspace
+from tests.gui.both_languages import BothLanguages
 from tests.window.patience import qtbot
 
 __all__ = ["qtbot"]
@@ -69,3 +73,29 @@ def nothing_left(qapp: QApplication) -> Iterator[None]:
     assert not (left := _left(threads)), f"threads are left: {left}"
     shown = [one for one in qapp.topLevelWidgets() if id(one) not in windows and one.isVisible()]
     assert not shown, f"windows are left: {shown}"
+
+
+@pytest.fixture(scope="session")
+def both_languages(qapp: QApplication) -> BothLanguages:
+    return BothLanguages(qapp)
+
+
+@pytest.fixture(autouse=True)
+def worded_when_shown(both_languages: BothLanguages) -> Iterator[None]:
+    """Fail a test in which a message, or the name of a job, would stay in its language when another is chosen."""
+    say, run = Messages.say, TaskRunner.run
+    both_languages.fixed.clear()
+
+    def said(messages: Messages, message: Message) -> None:
+        both_languages.hear(message)
+        say(messages, message)
+
+    def ran(runner: TaskRunner, name: Words, job: Job[object]) -> Task[object]:
+        both_languages.hear_words(name)
+        return run(runner, name, job)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Messages, "say", said)
+        patch.setattr(TaskRunner, "run", ran)
+        yield
+    assert not both_languages.fixed, f"worded before it is shown: {both_languages.fixed}"

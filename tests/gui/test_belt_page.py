@@ -102,7 +102,7 @@ def test_without_a_calibration_it_says_where_to_go(page: BeltPage) -> None:
     wanted: list[object] = []
     page.step_wanted.connect(wanted.append)
     assert page.nothing.isVisible()
-    page.back_action.trigger()
+    page.way_to(Step.CALIBRATE).trigger()
     assert wanted == [Step.CALIBRATE]
 
 
@@ -130,7 +130,7 @@ def test_a_corner_is_dragged_with_a_finger_saved_for_the_sensors_and_marked_done
     for name, one in kept.sensors.items():
         assert one.surface.region_m is not None
         assert onto_plan(kept, name, one.surface.region_m) == pytest.approx(after, abs=1e-4)
-    assert running.main_action is running.on_action
+    assert running.main_action is running.way_to(Step.TEACH)
 
 
 def test_one_drag_is_one_change_that_is_undone_at_once(qtbot: QtBot, running: BeltPage) -> None:

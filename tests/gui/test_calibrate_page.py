@@ -75,8 +75,8 @@ def test_without_sensors_it_says_where_to_go(page: CalibratePage) -> None:
     wanted: list[object] = []
     page.step_wanted.connect(wanted.append)
     assert page.nothing.isVisible()
-    assert page.main_action is page.connect_action
-    page.connect_action.trigger()
+    assert page.main_action is page.way_to(Step.CONNECT)
+    page.way_to(Step.CONNECT).trigger()
     assert wanted == [Step.CONNECT]
 
 
@@ -85,11 +85,11 @@ def test_while_a_sensor_gives_no_pictures_the_way_to_it_is_offered(
 ) -> None:
     _connect(qtbot, rigged, rig)
     qtbot.waitUntil(page.calibrate_action.isEnabled, timeout=LONG_MS)
-    assert page.connect_action not in page.other_actions
+    assert page.way_to(Step.CONNECT) not in page.other_actions
     monkeypatch.setattr(Feed, "newest", lambda *_: None)
     rigged.connected.health_changed.emit()
     assert not page.calibrate_action.isEnabled()
-    assert page.connect_action in page.other_actions
+    assert page.way_to(Step.CONNECT) in page.other_actions
     assert "Connect" in page.hint
 
 
@@ -123,7 +123,7 @@ def test_calibrating_shows_how_good_it_is_and_is_kept_only_when_told(
     qtbot.waitUntil(lambda: not rigged.saving, timeout=LONG_MS)
     assert rigged.workspace.station.load().value is not None
     assert rigged.states()[Step.CALIBRATE].state is State.DONE
-    assert page.main_action is page.on_action
+    assert page.main_action is page.way_to(Step.BELT)
     assert page.result.word.text() in ("Good", "Usable")
 
 

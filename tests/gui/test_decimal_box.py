@@ -122,8 +122,10 @@ def test_the_room_on_the_disk_is_kept_to_the_megabyte(qtbot: QtBot, language: st
     assert dialog.chosen.least_free_mb == 500
     typed(qtbot, dialog.free_gb, "2,25")
     assert dialog.chosen.least_free_mb == 2250
-    typed(qtbot, dialog.days, "1.5")
-    assert (dialog.chosen.crops_kept_days, dialog.days.value()) == (1, 1.0), "a day and a half is no fifteen"
+    own = dialog.pictures.own
+    dialog.pictures.choice.setCurrentIndex(dialog.pictures.choice.count() - 1)
+    typed(qtbot, own, "1.5")
+    assert (dialog.chosen.crops_kept_days, own.value()) == (1, 1.0), "a day and a half is no fifteen"
 
 
 def test_only_a_number_is_read() -> None:

@@ -24,7 +24,7 @@ def _nothing(progress: Progress, cancelled: Cancelled) -> None:
 
 def test_the_store_the_disk_and_waits_are_seen(guard: Guard, session: Session, tmp_path: Path) -> None:
     pace = AtSpeed()
-    task = Task("nothing", _nothing)
+    task = Task(lambda: "nothing", _nothing)
     task._thread.start()
     with guard.looking():
         session.store.lots.find(LotQuery())

@@ -68,13 +68,15 @@ def test_what_holds_and_the_pills_take_over_another_language_at_once(
     watch = HealthWatch(session, bar, bar)
     monkeypatch.setattr(session, "running", Running(LiveState(Phase.RUNNING, blind=LEFT)))
     watch.look()
-    english = session.messages.standing
+    standing = session.messages.standing
+    assert standing is not None
+    english = standing.told()
     language.put_on(qapp, "es")
     qapp.processEvents()
-    spanish = session.messages.standing
+    spanish = standing.told()
     language.put_on(qapp, "en")
     qapp.processEvents()
-    assert english is not None
-    assert spanish is not None
     assert english.what != spanish.what
-    assert session.messages.standing == english
+    assert english.remedy != spanish.remedy
+    assert session.messages.standing is not None
+    assert session.messages.standing.told() == english

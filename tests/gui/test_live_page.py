@@ -183,7 +183,7 @@ def test_a_lot_that_was_left_open_is_ended_without_its_sensors(qtbot: QtBot, ses
     ended = session.store.lots.get(lot.key)
     assert ended.ended_s is not None
     assert ended.ran_s(ended.ended_s) < ended.ended_s - ended.started_s, "it stood still since its last fruit"
-    assert page.main_action is page.start
+    assert page.main_action is page.way_to(Step.CONNECT), "nothing was ever connected"
 
 
 def test_a_lot_that_was_left_open_is_taken_up_again(

@@ -15,10 +15,12 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.lots.fruit_rows import COLUMNS, Column, Show
+from fruitgui.gui.steps.lots.fruit_table import WIDEST_KIND
+from fruitgui.gui.steps.lots.fruit_view import WIDEST_PICTURE
 from fruitgui.gui.steps.lots.hand import Deed
 from fruitgui.gui.steps.lots.lot_entry import LotState, Period
 from fruitgui.gui.steps.lots.lot_list import ENTRY
-from fruitgui.gui.steps.lots.page import LotsPage
+from fruitgui.gui.steps.lots.page import LIST_WIDTH, WIDEST_LIST, LotsPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.database import Database
 from fruitgui.records.fruit_search import FruitQuery
@@ -106,10 +108,10 @@ def test_a_store_without_lots_says_what_will_appear_and_how(qtbot: QtBot, sessio
     qtbot.addWidget(page)
     page.entered()
     _settled(qtbot, page)
-    assert page.main_action is page.live_action
+    assert page.main_action is page.way_to(Step.LIVE)
     assert "live screen" in page._empty._how.text()
     with qtbot.waitSignal(page.step_wanted) as wanted:
-        page.live_action.trigger()
+        page.way_to(Step.LIVE).trigger()
     assert wanted.args == [Step.LIVE]
     page.left()
 
@@ -436,3 +438,23 @@ def test_everything_that_is_pressed_is_large_enough_for_a_glove_and_named(qtbot:
     small = [one for one in shown if one.height() < 40 or (isinstance(one, QAbstractButton) and one.width() < 40)]
     assert [(one.accessibleName(), one.size()) for one in small] == []
     assert [one for one in shown if not (one.accessibleName() or getattr(one, "text", str)())] == []
+
+
+def test_a_large_screen_keeps_figures_beside_their_kind_and_names_whole(qtbot: QtBot, page: LotsPage) -> None:
+    page.lot.show_fruit()
+    _settled(qtbot, page)
+    table = page.lot.fruit.table
+    narrow = page.lots.width()
+    page.resize(3632, 2020)
+    head = table.view.horizontalHeader()
+    assert head.sectionSize(COLUMNS.index(Column.KIND)) == WIDEST_KIND
+    assert head.length() < 1800 < table.view.viewport().width()
+    assert not any(table.view.isColumnHidden(number) for number in range(len(COLUMNS)))
+    assert (narrow, page.lots.width()) == (LIST_WIDTH, WIDEST_LIST)
+    page.lot.fruit.open_row(0)
+    qtbot.waitUntil(lambda: page.lot.fruit.opened, timeout=20_000)
+    _settled(qtbot, page)
+    assert page.lot.fruit.large.picture.width() == WIDEST_PICTURE
+    page.resize(1072, 586)
+    assert page.lots.width() == LIST_WIDTH
+    assert head.length() <= table.view.width(), "nothing is cut off in a small window"

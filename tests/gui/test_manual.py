@@ -4,13 +4,16 @@ import re
 from pathlib import Path
 
 import pytest
-from PySide6.QtGui import QImageReader
+from PySide6.QtCore import QEvent, QPoint
+from PySide6.QtGui import QImageReader, QTextDocument
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from fruitgui.calibration.result import REMEDIES
 from fruitgui.gui.help_window import HelpWindow, manual_page
+from fruitgui.gui.manual_view import WIDEST_PX
 from fruitgui.gui.theme.theme import Theme
-from fruitgui.gui.translate import LANGUAGES
+from fruitgui.gui.translate import LANGUAGES, Language
 from fruitgui.resources import folder
 from fruitgui.station.workflow import Step
 
@@ -53,8 +56,15 @@ def test_no_picture_lies_there_that_no_manual_shows() -> None:
     assert {path.name for path in (folder("docs") / "pictures" / "manual").iterdir()} == shown
 
 
+def _speaking(language: str) -> Language:
+    """Return a language that is in force nowhere."""
+    spoken = Language()
+    spoken.name = language
+    return spoken
+
+
 def test_help_opens_at_the_step(qtbot: QtBot, theme: Theme, language: str, tmp_path: Path) -> None:
-    window = HelpWindow(theme, language, tmp_path / "log.txt")
+    window = HelpWindow(theme, _speaking(language), tmp_path / "log.txt")
     qtbot.addWidget(window)
     window.show()
     qtbot.waitUntil(lambda: window.text.verticalScrollBar().maximum() > 0)
@@ -68,8 +78,39 @@ def test_help_opens_at_the_step(qtbot: QtBot, theme: Theme, language: str, tmp_p
     assert seen == sorted(set(seen))
 
 
+def test_what_is_read_stays_where_it_is_in_another_size_and_look(
+    qtbot: QtBot, theme: Theme, language: str, tmp_path: Path
+) -> None:
+    window = HelpWindow(theme, _speaking(language), tmp_path / "log.txt")
+    qtbot.addWidget(window)
+    window.show()
+
+    def at_top() -> str:
+        return window.text.cursorForPosition(QPoint(0, 0)).block().text()
+
+    begin = at_top()
+    window.resize(1800, 900)
+    assert at_top() == begin
+    window.show_step(Step.TEACH)
+    for width in (700, 1800, 960):
+        window.resize(width, 680)
+        assert at_top().startswith("4."), width
+    theme.changed.emit()
+    assert at_top().startswith("4.")
+
+
+def test_lines_stay_short_and_in_the_middle_of_a_wide_window(qtbot: QtBot, theme: Theme, tmp_path: Path) -> None:
+    window = HelpWindow(theme, _speaking("en"), tmp_path / "log.txt")
+    qtbot.addWidget(window)
+    window.resize(2400, 1200)
+    window.show()
+    place = window.text.viewport().geometry()
+    assert place.width() <= WIDEST_PX
+    assert abs(place.center().x() - window.text.rect().center().x()) <= 20
+
+
 def test_nothing_is_wider_than_the_window(qtbot: QtBot, theme: Theme, language: str, tmp_path: Path) -> None:
-    window = HelpWindow(theme, language, tmp_path / "log.txt")
+    window = HelpWindow(theme, _speaking(language), tmp_path / "log.txt")
     qtbot.addWidget(window)
     window.show()
     qtbot.waitUntil(lambda: window.text.verticalScrollBar().maximum() > 0)
@@ -78,7 +119,7 @@ def test_nothing_is_wider_than_the_window(qtbot: QtBot, theme: Theme, language: 
 
 
 def test_the_manual_follows_the_theme(qtbot: QtBot, theme: Theme, tmp_path: Path) -> None:
-    window = HelpWindow(theme, "en", tmp_path / "log.txt")
+    window = HelpWindow(theme, _speaking("en"), tmp_path / "log.txt")
     qtbot.addWidget(window)
     before = window.text.document().begin().begin().fragment().charFormat().foreground().color()
     other = "light" if theme.name == "dark" else "dark"
@@ -87,6 +128,33 @@ def test_the_manual_follows_the_theme(qtbot: QtBot, theme: Theme, tmp_path: Path
     after = window.text.document().begin().begin().fragment().charFormat().foreground().color()
     assert after == theme.colour("text")
     assert after != before
+
+
+def test_help_that_is_open_takes_over_another_language(
+    qtbot: QtBot, qapp: QApplication, theme: Theme, tmp_path: Path
+) -> None:
+    language = Language()
+    window = HelpWindow(theme, language, tmp_path / "log.txt")
+    qtbot.addWidget(window)
+    window.show()
+    window.show_step(Step.BELT)
+    english = window.windowTitle(), window.text.toPlainText()
+    language.put_on(qapp, "es")
+    qapp.processEvents()
+    try:
+        at_top = window.text.cursorForPosition(window.text.viewport().rect().topLeft()).block().text()
+        spanish = window.windowTitle(), window.text.toPlainText()
+    finally:
+        language.put_on(qapp, "en")
+        qapp.processEvents()
+    assert at_top.startswith("3."), "it stays at its chapter"
+    assert all(one != other for one, other in zip(english, spanish, strict=True))
+    assert (window.windowTitle(), window.text.toPlainText()) == english
+    for name in ("es", "en", "es", "en"):
+        language.put_on(qapp, name)
+        qapp.processEvents()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert len(window.text.findChildren(QTextDocument)) == 1, "pages that were shown before are not kept"
 
 
 def test_a_language_without_a_manual_shows_the_english_one() -> None:

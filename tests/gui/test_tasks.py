@@ -19,7 +19,7 @@ def test_a_job_runs_beside_the_window_and_gives_its_result(qtbot: QtBot) -> None
         progress(0.5, "half")
         return 42
 
-    task = runner.run("count", job)
+    task = runner.run(lambda: "count", job)
     assert runner.running == (task,)
     with qtbot.waitSignal(task.ended), qtbot.waitSignal(task.succeeded) as got:
         pass
@@ -37,7 +37,7 @@ def test_progress_is_told_on_the_window_s_thread_and_only_when_it_changes(qtbot:
         progress(0.25, "a quarter")
         go_on.wait(10)
 
-    task = runner.run("slow", job)
+    task = runner.run(lambda: "slow", job)
     task.progressed.connect(lambda share, doing: told.append((share, doing)))
     qtbot.waitUntil(lambda: told == [(0.25, "a quarter")])
     with qtbot.waitSignal(task.ended):
@@ -54,7 +54,7 @@ def test_cancel_ends_a_job_at_its_next_step(qtbot: QtBot) -> None:
         while True:
             stop_if(cancelled)
 
-    task = runner.run("endless", job)
+    task = runner.run(lambda: "endless", job)
     qtbot.waitUntil(began.is_set)
     with qtbot.waitSignals([task.cancelled, task.ended]):
         task.cancel()
@@ -66,7 +66,7 @@ def test_an_error_that_a_person_can_mend_is_handed_on(qtbot: QtBot) -> None:
     def job(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001
         raise InputError("bad_file", "It is empty.", "Name another.")
 
-    task = runner.run("read", job)
+    task = runner.run(lambda: "read", job)
     with qtbot.waitSignal(task.failed) as got:
         pass
     assert got.args is not None
@@ -81,7 +81,7 @@ def test_an_error_that_nobody_foresaw_is_told_with_what_to_do(qtbot: QtBot) -> N
     def job(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001
         raise ZeroDivisionError("division by zero")
 
-    task = runner.run("divide", job)
+    task = runner.run(lambda: "divide", job)
     with qtbot.waitSignal(task.failed) as got:
         pass
     assert got.args is not None
@@ -105,16 +105,16 @@ def test_closing_stops_all_jobs_for_good(qtbot: QtBot) -> None:
     def at_once(progress: Progress, cancelled: Cancelled) -> None:
         pass
 
-    running = runner.run("endless", endless)
+    running = runner.run(lambda: "endless", endless)
     qtbot.waitUntil(began.is_set)
-    waiting = runner.run("has not begun", never)
+    waiting = runner.run(lambda: "has not begun", never)
     assert runner.close()
-    after = runner.run("after the end", never)
+    after = runner.run(lambda: "after the end", never)
     for task in (running, waiting, after):
         task.succeeded.connect(lambda _: told.append("succeeded"))
         task.ended.connect(lambda: told.append("ended"))
     assert runner.running == ()
     other = TaskRunner()
-    with qtbot.waitSignal(other.run("of another runner", at_once).ended):
+    with qtbot.waitSignal(other.run(lambda: "of another runner", at_once).ended):
         pass  # begun last, told by the same clock: the others would have been told by now
     assert (told, late) == ([], [])

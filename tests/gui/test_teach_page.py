@@ -80,8 +80,9 @@ def test_a_fresh_line_says_what_will_appear_here(qtbot: QtBot, session: Session,
     empty.show()
     _rest(qtbot, empty)
     assert empty.empty.isVisible()
-    assert not empty.open.isEnabled(), "nothing can come in before the sensors are calibrated"
-    assert "Calibrate" in empty.hint
+    assert not empty.choices.open.isEnabled(), "nothing can come in before the sensors are calibrated"
+    assert "Connect" in empty.hint, "what comes first of all"
+    assert empty.main_action is empty.way_to(Step.CONNECT)
 
 
 def test_keys_name_and_move_on_and_each_is_on_the_disk(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
@@ -115,11 +116,11 @@ def test_undo_and_redo_follow_the_store_even_by_the_toast(qtbot: QtBot, taught: 
     _rest(qtbot, page)
     assert taught.store.teaching.waiting() == FRUIT
     assert page.grid.chosen() == [key], "what was taken back is shown again"
-    assert not page.undo.isEnabled()
-    page.redo.trigger()
+    assert not page.choices.undo.isEnabled()
+    page.choices.redo.trigger()
     _rest(qtbot, page)
     assert taught.store.teaching.get(key).fruit.kind == "lemon"
-    page.redo.trigger()
+    page.choices.redo.trigger()
     _rest(qtbot, page)
     assert taught.store.teaching.waiting() == FRUIT - 1
 
@@ -171,18 +172,18 @@ def test_pictures_come_with_outline_and_depth(qtbot: QtBot, page: TeachPage) -> 
     assert not views[0].depth.isNull()
     assert views[0].outline.count() > 8
     before = page.grid.grab().toImage()
-    page.see_depth.trigger()
+    page.choices.see_depth.trigger()
     assert page.grid.grab().toImage() != before
 
 
 def test_a_model_suggests_and_finds_a_wrong_label(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
-    assert not page.suggest.isEnabled()
+    assert not page.choices.suggest.isEnabled()
     _name_all(qtbot, page, taught.workspace.folder)
     desk = page.room.desk
     lemons = desk.keys(Shelf(Pile.NAMED, "lemon"))
     page.room.clear(lemons[:1])
     page.room.name(lemons[1:2], "red apple")
-    page.suggest.trigger()
+    page.choices.suggest.trigger()
     qtbot.waitUntil(lambda: not page.room.looking, timeout=LONG_MS)
     guess = desk.guess(lemons[0])
     assert guess is not None
@@ -211,7 +212,7 @@ def test_labels_go_out_and_come_in_again(qtbot: QtBot, taught: Session, page: Te
 
 def test_a_recording_that_is_opened_twice_adds_nothing_twice(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
     page.room.lessons.open(taught.workspace.folder / RECORDING)
-    assert page.main_action is page.stop
+    assert page.main_action is page.choices.stop
     qtbot.waitUntil(lambda: not page.room.lessons.running, timeout=LONG_MS)
     _rest(qtbot, page)
     assert len(taught.store.teaching.briefs()) == FRUIT
@@ -223,20 +224,20 @@ def test_a_recording_comes_in_and_can_be_stopped(qtbot: QtBot, taught: Session, 
     _rest(qtbot, page)
     page.room.lessons.open(taught.workspace.folder / RECORDING)
     qtbot.waitUntil(lambda: len(page.room.desk.fruit) > 0, timeout=LONG_MS)
-    page.stop.trigger()
+    page.choices.stop.trigger()
     qtbot.waitUntil(lambda: not page.room.lessons.running, timeout=LONG_MS)
     _rest(qtbot, page)
     assert len(page.model.keys) == len(taught.store.teaching.briefs()) > 0
 
 
 def test_the_line_is_watched_until_it_is_enough(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
-    assert not page.watch.isEnabled(), "no sensors run"
+    assert not page.choices.watch.isEnabled(), "no sensors run"
     taught.source.choose(RecordedSource(taught.workspace.folder / RECORDING, speed=4.0, looped=True))
-    qtbot.waitUntil(page.watch.isEnabled, timeout=LONG_MS)
-    page.watch.trigger()
-    assert page.main_action is page.stop
+    qtbot.waitUntil(page.choices.watch.isEnabled, timeout=LONG_MS)
+    page.choices.watch.trigger()
+    assert page.main_action is page.choices.stop
     qtbot.waitUntil(lambda: len(page.room.desk.fruit) > FRUIT, timeout=LONG_MS)
-    page.stop.trigger()
+    page.choices.stop.trigger()
     qtbot.waitUntil(lambda: not page.room.lessons.running, timeout=LONG_MS)
     _rest(qtbot, page)
     (line,) = [one for one in page.room.sources(named=False) if one != RECORDING]
@@ -258,7 +259,7 @@ def test_thousands_are_laid_out_a_page_at_a_time(qtbot: QtBot, page: TeachPage) 
 
 
 def test_removing_asks_once(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
-    page.remove.trigger()
+    page.choices.remove.trigger()
     box = page.findChild(QMessageBox)
     assert isinstance(box, QMessageBox)
     button = next(one for one in box.buttons() if one.text() == "Remove")
@@ -294,10 +295,10 @@ def test_everything_that_is_pressed_is_large_enough_for_a_glove(page: TeachPage)
 
 
 def test_a_density_is_typed_for_a_kind_and_kept(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
-    assert not page.weigh.isEnabled(), "there is no kind yet"
+    assert not page.choices.weigh.isEnabled(), "there is no kind yet"
     page.room.name([page.grid.chosen()[0]], "lemon")
     _rest(qtbot, page)
-    page.weigh.trigger()
+    page.choices.weigh.trigger()
     (dialog,) = page.findChildren(DensitiesDialog)
     field = dialog.fields["lemon"]
     qtbot.keyClicks(field, "9,7")
@@ -312,7 +313,7 @@ def test_a_density_is_typed_for_a_kind_and_kept(qtbot: QtBot, taught: Session, p
     kept = taught.workspace.kinds.load().value
     assert kept is not None
     assert kept.typed_densities() == {"lemon": 0.97}
-    page.weigh.trigger()
+    page.choices.weigh.trigger()
     again = page.findChildren(DensitiesDialog)[-1]
     assert again.typed == {"lemon": 0.97}
     again.reject()

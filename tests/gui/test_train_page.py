@@ -85,8 +85,8 @@ def test_without_labels_it_says_where_to_go(session: Session, theme: Theme, qtbo
     wanted: list[object] = []
     page.step_wanted.connect(wanted.append)
     assert page.empty.isVisible()
-    assert page.main_action is page.teach
-    page.teach.trigger()
+    assert page.main_action is page.way_to(Step.TEACH)
+    page.way_to(Step.TEACH).trigger()
     assert wanted == [Step.TEACH]
 
 
@@ -127,7 +127,7 @@ def test_accepting_takes_the_model_into_use_and_the_steps_follow(
     version = taught.store.models.in_use()
     assert version is not None
     assert version.file == taught.station.model
-    assert page.main_action is page.go_on
+    assert page.main_action is page.way_to(Step.LIVE)
     _teach_wrong(taught)
     assert [why.code for why in taught.states()[Step.TRAIN].remarks] == ["taught_since"]
     assert page.main_action is page.train

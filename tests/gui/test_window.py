@@ -1,23 +1,26 @@
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from threading import Event
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
 
-from fruitgui.errors import WorldError
+from fruitgui.errors import InputError, WorldError
 from fruitgui.gui.action_bar import ActionButton
 from fruitgui.gui.health import warning_message
-from fruitgui.gui.messages import Level, Message, error_message
+from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import TOUCH
+from fruitgui.gui.told import Told
 from fruitgui.gui.translate import Language
 from fruitgui.gui.window import MainWindow
+from fruitgui.progress import Cancelled, Progress
 from fruitgui.station.live.state import LiveWarning
 from fruitgui.station.workflow import Facts, Step, step_states
 
@@ -98,8 +101,8 @@ def test_the_keys_of_what_is_offered_work_and_of_what_was_offered_do_not(qtbot: 
 def test_a_standing_error_is_not_pushed_away_by_a_lesser_word(
     qtbot: QtBot, session: Session, window: MainWindow
 ) -> None:
-    session.messages.warn("Sensor kinect_2 is silent.", "Check its cable.", stays=True)
-    session.messages.info("Saved.")
+    session.messages.warn(lambda: Told("Sensor kinect_2 is silent.", "Check its cable."), stays=True)
+    session.messages.info(lambda: Told("Saved."))
     shown = [one.text() for one in window.action_bar.findChildren(type(window.action_bar._text))]
     assert "Sensor kinect_2 is silent." in shown
     assert "Check its cable." in shown
@@ -112,14 +115,14 @@ def test_a_standing_error_is_not_pushed_away_by_a_lesser_word(
 def test_what_holds_is_shown_for_as_long_as_it_holds(session: Session, window: MainWindow) -> None:
     bar, messages = window.action_bar, session.messages
     window.page(Step.CONNECT).say("Put fruit on the belt.")
-    blind = Message(Level.BAD, "No sensor sees the left part.", "Fruit there are not counted.")
+    blind = Message(Level.BAD, lambda: Told("No sensor sees the left part.", "Fruit there are not counted."))
     messages.stand("blind", blind)
     assert (bar._text.text(), bar._detail.text()) == (blind.what, blind.remedy)
-    messages.info("Saved.")
+    messages.info(lambda: Told("Saved."))
     assert bar._text.text() == "Saved."
     bar._timer.timeout.emit()
     assert bar._text.text() == blind.what, "a passing word is over, what holds goes on"
-    messages.stand("room", Message(Level.WARN, "The disk is nearly full."))
+    messages.stand("room", Message(Level.WARN, lambda: Told("The disk is nearly full.")))
     assert bar._text.text() == blind.what, "what matters most comes first"
     assert not bar._close.isVisible()
     messages.stand("blind", None)
@@ -128,25 +131,102 @@ def test_what_holds_is_shown_for_as_long_as_it_holds(session: Session, window: M
     assert bar._text.text() == "Put fruit on the belt."
 
 
-def test_what_is_said_of_an_error_takes_over_another_language(
-    qapp: QApplication, session: Session, window: MainWindow
-) -> None:
-    error = WorldError("disk_full", "The disk is full.", "Make room on it.", file="records.sqlite")
-    warning = LiveWarning("calibration_stale", "Sensor kinect_1 was moved.", ("kinect_1",))
-    language, bar = Language(), window.action_bar
-    for message in (error_message(error), warning_message(warning)):
-        session.messages.say(message)
-        english = bar._text.text(), bar._detail.text()
-        language.put_on(qapp, "es")
+def _in_spanish(qapp: QApplication, shown: Callable[[], tuple[str, ...]]) -> tuple[str, ...]:
+    """Return what is shown while the window speaks Spanish."""
+    language = Language()
+    language.put_on(qapp, "es")
+    qapp.processEvents()
+    try:
+        return shown()
+    finally:
+        language.put_on(qapp, "en")
         qapp.processEvents()
-        try:
-            spanish = bar._text.text(), bar._detail.text()
-        finally:
-            language.put_on(qapp, "en")
-            qapp.processEvents()
-        assert all(one != other for one, other in zip(english, spanish, strict=True))
-        assert (bar._text.text(), bar._detail.text()) == english == (message.what, message.remedy)
-        assert bar._close.isVisible()
+
+
+def _no_room() -> Told:
+    return Told(
+        QCoreApplication.translate("Health", "Fruit cannot be kept on the disk now; they wait in memory."),
+        QCoreApplication.translate(
+            "Blind", "Sizes are less sure meanwhile. Check cable and power; it starts again by itself."
+        ),
+        QCoreApplication.translate("Classroom", "Undo"),
+    )
+
+
+def _say_good(messages: Messages) -> None:
+    messages.good(lambda: Told(QCoreApplication.translate("BeltPage", "The belt is saved.")))
+
+
+def _say_error(messages: Messages) -> None:
+    messages.error(WorldError("disk_full", "The disk is full.", "Make room on it.", file="records.sqlite"))
+
+
+def _say_warning(messages: Messages) -> None:
+    messages.say(warning_message(LiveWarning("calibration_stale", "Sensor kinect_1 was moved.", ("kinect_1",))))
+
+
+@pytest.mark.parametrize(
+    "say",
+    [
+        lambda messages: messages.info(_no_room, lambda: None),
+        lambda messages: messages.warn(_no_room, stays=True),
+        lambda messages: messages.stand("room", Message(Level.WARN, _no_room)),
+        _say_good,
+        _say_error,
+        _say_warning,
+    ],
+)
+def test_whatever_is_said_takes_over_another_language(
+    qapp: QApplication, session: Session, window: MainWindow, say: Callable[[Messages], None]
+) -> None:
+    bar = window.action_bar
+
+    def shown() -> tuple[str, ...]:
+        return tuple(text for text in (bar._text.text(), bar._detail.text(), bar._do.text()) if text)
+
+    nothing = shown()
+    say(session.messages)
+    english = shown()
+    assert english != nothing
+    spanish = _in_spanish(qapp, shown)
+    assert all(one != other for one, other in zip(english, spanish, strict=True))
+    assert shown() == english
+
+
+def test_a_jobs_name_takes_over_another_language_in_the_bar_and_in_its_error(
+    qtbot: QtBot, qapp: QApplication, session: Session, window: MainWindow
+) -> None:
+    bar, go = window.action_bar, Event()
+    session.messages.said.disconnect(bar.say)
+
+    def job(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001
+        go.wait()
+        raise ZeroDivisionError
+
+    task = session.tasks.run(lambda: QCoreApplication.translate("Trainer", "Training"), job)
+    task.failed.connect(session.messages.error)
+    assert bar._text.text() == "Training"
+    assert _in_spanish(qapp, lambda: (bar._text.text(),)) == ("Entrenando",)
+    assert bar._text.text() == "Training"
+    go.set()
+    qtbot.waitUntil(lambda: bool(session.messages.history))
+    error = session.messages.history[-1]
+    assert "“Training”" in error.what
+    assert "Entrenando" in _in_spanish(qapp, lambda: (error.what,))[0]
+
+
+def test_an_error_leads_to_the_step_that_mends_it(
+    qtbot: QtBot, qapp: QApplication, session: Session, window: MainWindow
+) -> None:
+    session.messages.error(WorldError("disk_full", "The disk is full.", "Make room on it.", file="records.sqlite"))
+    assert not window.action_bar._do.isVisible(), "no screen mends it"
+    window.action_bar._close.click()
+    session.messages.error(InputError("bad_model", "model.zip is not a model.", "Train again."))
+    do = window.action_bar._do
+    assert do.text() == "Train"
+    assert _in_spanish(qapp, lambda: (do.text(),)) == ("Entrenar",)
+    qtbot.mouseClick(do, Qt.MouseButton.LeftButton)
+    assert window.step is Step.TRAIN
 
 
 def test_the_rail_says_how_far_each_step_is(window: MainWindow) -> None:

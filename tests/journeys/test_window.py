@@ -126,7 +126,7 @@ def let_run(operator: Operator) -> None:
 
 def teach(operator: Operator, shop: Shop) -> None:
     page = operator.go(Step.TEACH, TeachPage)
-    operator.press(page.watch)
+    operator.press(page.choices.watch)
     operator.wait(lambda: page.room.lessons.running)
     let_run(operator)
     operator.go(Step.TEACH, TeachPage)

@@ -7,7 +7,6 @@ to do, with the file, sensor or lot that the error names.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
@@ -15,14 +14,7 @@ from PySide6.QtCore import QCoreApplication
 from fruitgui.errors import FruitguiError
 from fruitgui.gui.error_words import files, learning, sensors, store
 from fruitgui.gui.steps.connect.driver_words import fault_words
-
-
-@dataclass(frozen=True, slots=True)
-class Told:
-    """An error as a person reads it: what happened, and what to do."""
-
-    what: str
-    remedy: str
+from fruitgui.gui.told import Told
 
 
 def words() -> Mapping[str, tuple[str, str]]:
@@ -36,8 +28,9 @@ def told(error: FruitguiError) -> Told:
     if said is None:
         return Told(error.what, error.remedy)
     place = {} if error.file is None else {"file": Path(error.file).name, "path": error.file}
+    values = {name: value() if callable(value) else value for name, value in error.values.items()}
     try:
-        what, remedy = (text.format(**error.values, **place) for text in said)
+        what, remedy = (text.format(**values, **place) for text in said)
     except KeyError:
         return Told(error.what, error.remedy)
     if error.where is not None:

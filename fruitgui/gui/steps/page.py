@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from functools import partial
+
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
+
+from fruitgui.gui.step_words import way_words
+from fruitgui.station.workflow import Step
+
+MAIN_KEY = "Ctrl+Return"
 
 
 class StepPage(QWidget):
@@ -30,6 +37,7 @@ class StepPage(QWidget):
         self._hint = ""
         self._main: QAction | None = None
         self._others: tuple[QAction, ...] = ()
+        self._ways: dict[Step, QAction] = {}
 
     @property
     def hint(self) -> str:
@@ -59,8 +67,31 @@ class StepPage(QWidget):
                 if action is not None:
                     self.removeAction(action)
             self._main, self._others = main, others
+            for action in self._ways.values():
+                action.setShortcut(MAIN_KEY if action is main else "")
             self.addActions([*others, *(() if main is None else (main,))])
             self.actions_changed.emit()
+
+    def way_to(self, step: Step) -> QAction:
+        """Return the action that leads to another step; as the main one it has the main one's key."""
+        if step not in self._ways:
+            way = self._ways[step] = QAction(self)
+            way.setProperty("drawing", step.value)
+            way.triggered.connect(partial(self.step_wanted.emit, step))
+            self._name_ways()
+        return self._ways[step]
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Take over another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._name_ways()
+        super().changeEvent(event)
+
+    def _name_ways(self) -> None:
+        for step, way in self._ways.items():
+            text, tip = way_words(step)
+            way.setText(text)
+            way.setToolTip(tip)
 
     def entered(self) -> None:
         """Come into view; overridden by pages that draw or poll."""

@@ -27,22 +27,6 @@
         <translation>Deshacer el último cambio de la zona</translation>
     </message>
     <message>
-        <source>Teach</source>
-        <translation>Enseñar</translation>
-    </message>
-    <message>
-        <source>Go on to teaching</source>
-        <translation>Seguir con la enseñanza</translation>
-    </message>
-    <message>
-        <source>Calibrate</source>
-        <translation>Calibrar</translation>
-    </message>
-    <message>
-        <source>Go to calibrating</source>
-        <translation>Ir a la calibración</translation>
-    </message>
-    <message>
         <source>No belt is known yet</source>
         <translation>Aún no se conoce la cinta</translation>
     </message>
@@ -59,10 +43,6 @@
         <translation>Arrastre una esquina; o bien: Espacio pasa a la siguiente, las flechas la mueven (Mayús: más lejos), Insert agrega una, Supr la quita</translation>
     </message>
     <message>
-        <source>Calibrate the sensors first.</source>
-        <translation>Calibre primero los sensores.</translation>
-    </message>
-    <message>
         <source>The tallest fruit must be taller than the shortest.</source>
         <translation>La fruta más alta debe ser más alta que la más baja.</translation>
     </message>
@@ -73,6 +53,14 @@
     <message>
         <source>Fruit must pass before the sensors now.</source>
         <translation>Ahora debe pasar fruta frente a los sensores.</translation>
+    </message>
+    <message>
+        <source>No sensor runs: connect them to see the belt, and to measure how it moves.</source>
+        <translation>Ningún sensor funciona: conéctelos para ver la cinta y para medir cómo se mueve.</translation>
+    </message>
+    <message>
+        <source>Look whether the region still fits, then save it.</source>
+        <translation>Mire si la región todavía calza y guárdela.</translation>
     </message>
     <message>
         <source>Drag the corners to where fruit may be, set how the belt moves, then save.</source>

@@ -251,22 +251,6 @@
         <translation>Volver</translation>
     </message>
     <message>
-        <source>Set the belt</source>
-        <translation>Ajustar la cinta</translation>
-    </message>
-    <message>
-        <source>Go on to the belt</source>
-        <translation>Seguir con la cinta</translation>
-    </message>
-    <message>
-        <source>Connect</source>
-        <translation>Conectar</translation>
-    </message>
-    <message>
-        <source>Go to the sensors</source>
-        <translation>Ir a los sensores</translation>
-    </message>
-    <message>
         <source>No sensors run</source>
         <translation>No funciona ningún sensor</translation>
     </message>

@@ -633,6 +633,14 @@
         <translation>Conectar otra cosa</translation>
     </message>
     <message>
+        <source>Start again</source>
+        <translation>Iniciar de nuevo</translation>
+    </message>
+    <message>
+        <source>Start the sensors of this source again</source>
+        <translation>Iniciar de nuevo los sensores de esta fuente</translation>
+    </message>
+    <message>
         <source>Back</source>
         <translation>Volver</translation>
     </message>
@@ -673,8 +681,20 @@
         <translation>Se miden los proyectores; mientras tanto las imágenes van y vienen.</translation>
     </message>
     <message>
+        <source>No sensor runs. Start them again, or connect another source.</source>
+        <translation>Ningún sensor funciona. Inícielos de nuevo o conecte otra fuente.</translation>
+    </message>
+    <message>
+        <source>The recording is over. Start it again, or connect another source.</source>
+        <translation>La grabación terminó. Iníciela de nuevo o conecte otra fuente.</translation>
+    </message>
+    <message>
         <source>{running} of {count} sensors run. Look after the others, or leave them out.</source>
         <translation>Funcionan {running} de {count} sensores. Revise los demás, o déjelos fuera.</translation>
+    </message>
+    <message>
+        <source>All sensors run, and they are calibrated.</source>
+        <translation>Todos los sensores funcionan y están calibrados.</translation>
     </message>
     <message>
         <source>The sensor runs. Give it a name, then calibrate.</source>

@@ -170,8 +170,12 @@
         <translation>Trayectorias</translation>
     </message>
     <message>
-        <source>The line is not set up yet</source>
-        <translation>La línea aún no está preparada</translation>
+        <source>The sensors are being started.</source>
+        <translation>Se están iniciando los sensores.</translation>
+    </message>
+    <message>
+        <source>No sensor runs: start them again.</source>
+        <translation>Ningún sensor funciona: inícielos de nuevo.</translation>
     </message>
     <message>
         <source>Start a lot to count fruit.</source>
@@ -184,6 +188,10 @@
     <message>
         <source>Lot {name} is paused: fruit pass uncounted.</source>
         <translation>El lote {name} está en pausa: la fruta pasa sin contarse.</translation>
+    </message>
+    <message>
+        <source>Nothing can be counted yet</source>
+        <translation>Todavía no se puede contar</translation>
     </message>
     <message>
         <source>Lot {name} is running.</source>

@@ -785,12 +785,12 @@
         <translation>Toda la fruta del lote como CSV</translation>
     </message>
     <message>
-        <source>Live</source>
-        <translation>En vivo</translation>
+        <source>Choose a lot at the left.</source>
+        <translation>Elija un lote a la izquierda.</translation>
     </message>
     <message>
-        <source>Go on to the live screen</source>
-        <translation>Pasar a la pantalla En vivo</translation>
+        <source>Start a lot on the live screen first.</source>
+        <translation>Primero inicie un lote en la pantalla en vivo.</translation>
     </message>
     <message>
         <source>No lot is chosen</source>
@@ -807,10 +807,6 @@
     <message>
         <source>Nothing has been run yet</source>
         <translation>Todavía no se ha procesado nada</translation>
-    </message>
-    <message>
-        <source>Here is what has been run.</source>
-        <translation>Aquí está lo que se ha procesado.</translation>
     </message>
     <message>
         <source>Look through the fruit, correct what is wrong, then hand on the report.</source>

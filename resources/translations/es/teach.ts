@@ -111,12 +111,12 @@
         <translation>Densidad de {kind}, g/ml</translation>
     </message>
     <message>
-        <source>By reference fruit</source>
-        <translation>Por fruta de referencia</translation>
+        <source>By reference fruit, g/ml</source>
+        <translation>Por fruta de referencia, g/ml</translation>
     </message>
     <message>
-        <source>Typed</source>
-        <translation>Escrita</translation>
+        <source>Typed, g/ml</source>
+        <translation>Escrita, g/ml</translation>
     </message>
     <message>
         <source>A mass is the volume times the density of the kind. Reference fruit of which you measured volume and weight teach it; a number typed here stands instead. Empty leaves it to the reference fruit. It holds from the next lot on.</source>
@@ -283,7 +283,7 @@
     </message>
 </context>
 <context>
-    <name>TeachPage</name>
+    <name>TeachActions</name>
     <message>
         <source>Watch the line</source>
         <translation>Mirar la línea</translation>
@@ -317,14 +317,6 @@
         <translation>Aprender de lo nombrado hasta ahora: sugerir tipos, poner primero lo que más enseñaría, hallar fruta dudosa</translation>
     </message>
     <message>
-        <source>Train</source>
-        <translation>Entrenar</translation>
-    </message>
-    <message>
-        <source>Go on to training</source>
-        <translation>Seguir al entrenamiento</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
     </message>
@@ -355,6 +347,13 @@
     <message>
         <source>Write a labels file</source>
         <translation>Escribir un archivo de etiquetas</translation>
+    </message>
+</context>
+<context>
+    <name>TeachPage</name>
+    <message>
+        <source>Remove for good</source>
+        <translation>Eliminar para siempre</translation>
     </message>
     <message>
         <source>Nothing is named yet</source>
@@ -405,10 +404,6 @@
         <translation>Presione «Sugerir» cuando haya algo de fruta nombrada de dos tipos: un modelo que nunca la vio juzga cada una.</translation>
     </message>
     <message>
-        <source>Calibrate the sensors first; then fruit can come in.</source>
-        <translation>Calibre primero los sensores; después puede llegar fruta.</translation>
-    </message>
-    <message>
         <source>A lot is running; fruit can be named meanwhile, but none come in until it is ended.</source>
         <translation>Hay un lote en marcha; mientras tanto se puede nombrar fruta, pero no llega ninguna hasta que termine.</translation>
     </message>
@@ -427,6 +422,10 @@
     <message>
         <source>Enough is taught; go on to training.</source>
         <translation>Ya se enseñó lo suficiente; siga al entrenamiento.</translation>
+    </message>
+    <message>
+        <source>No sensor runs: connect them, or open a recording that was made of this line.</source>
+        <translation>Ningún sensor funciona: conéctelos o abra una grabación de esta línea.</translation>
     </message>
     <message>
         <source>Let fruit of every kind come in.</source>

@@ -237,22 +237,6 @@
         <translation>Volver al modelo que estaba en uso antes</translation>
     </message>
     <message>
-        <source>Teach</source>
-        <translation>Enseñar</translation>
-    </message>
-    <message>
-        <source>Give fruit their kinds first</source>
-        <translation>Primero dar su tipo a la fruta</translation>
-    </message>
-    <message>
-        <source>Go live</source>
-        <translation>Ir en vivo</translation>
-    </message>
-    <message>
-        <source>Go on to the live screen</source>
-        <translation>Seguir a la pantalla en vivo</translation>
-    </message>
-    <message>
         <source>Look at its label</source>
         <translation>Ver su etiqueta</translation>
     </message>

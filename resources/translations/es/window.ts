@@ -240,6 +240,48 @@
     </message>
 </context>
 <context>
+    <name>Housekeeping</name>
+    <message>
+        <source>Letting old pictures go</source>
+        <translation>Retirando imágenes viejas</translation>
+    </message>
+</context>
+<context>
+    <name>KeepingTime</name>
+    <message>
+        <source>A week</source>
+        <translation>Una semana</translation>
+    </message>
+    <message>
+        <source>A month</source>
+        <translation>Un mes</translation>
+    </message>
+    <message>
+        <source>A season: three months</source>
+        <translation>Una temporada: tres meses</translation>
+    </message>
+    <message>
+        <source>A year</source>
+        <translation>Un año</translation>
+    </message>
+    <message>
+        <source>For ever</source>
+        <translation>Para siempre</translation>
+    </message>
+    <message>
+        <source>Another number of days</source>
+        <translation>Otro número de días</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> días</translation>
+    </message>
+    <message>
+        <source>Number of days</source>
+        <translation>Número de días</translation>
+    </message>
+</context>
+<context>
     <name>Kinds</name>
     <message>
         <source>Unknown</source>
@@ -366,12 +408,12 @@
         <translation>Claro</translation>
     </message>
     <message>
-        <source>for ever</source>
-        <translation>para siempre</translation>
+        <source>Once saved, older pictures are deleted for good. Counts, sizes and what was taught stay for ever.</source>
+        <translation>Al guardar, las fotos más antiguas se borran para siempre. Cantidades, tamaños y lo enseñado quedan.</translation>
     </message>
     <message>
-        <source> days</source>
-        <translation> días</translation>
+        <source>Older pictures of counted fruit go. Counts, sizes and what was taught stay for ever.</source>
+        <translation>Las fotos más antiguas de la fruta contada se borran. Cantidades, tamaños y lo enseñado quedan.</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -384,10 +426,6 @@
     <message>
         <source>Keep &amp;pictures of fruit</source>
         <translation>Guardar &amp;fotos de la fruta</translation>
-    </message>
-    <message>
-        <source>Counts, sizes and kinds are kept for ever; only the pictures are deleted.</source>
-        <translation>Los conteos, tamaños y tipos se guardan para siempre; solo se borran las fotos.</translation>
     </message>
     <message>
         <source>&amp;Free room that stays on the disk</source>
@@ -511,6 +549,42 @@
     <message>
         <source>Lots</source>
         <translation>Lotes</translation>
+    </message>
+    <message>
+        <source>Go to the sensors</source>
+        <translation>Ir a los sensores</translation>
+    </message>
+    <message>
+        <source>Go to calibrating</source>
+        <translation>Ir a la calibración</translation>
+    </message>
+    <message>
+        <source>Set the belt</source>
+        <translation>Ajustar la cinta</translation>
+    </message>
+    <message>
+        <source>Go to the belt</source>
+        <translation>Ir a la cinta</translation>
+    </message>
+    <message>
+        <source>Go to teaching</source>
+        <translation>Ir a enseñar</translation>
+    </message>
+    <message>
+        <source>Go to training</source>
+        <translation>Ir al entrenamiento</translation>
+    </message>
+    <message>
+        <source>Go live</source>
+        <translation>Ir en vivo</translation>
+    </message>
+    <message>
+        <source>Go to the live screen</source>
+        <translation>Ir a la pantalla en vivo</translation>
+    </message>
+    <message>
+        <source>Go to what has been run</source>
+        <translation>Ir a lo que se ha procesado</translation>
     </message>
     <message>
         <source>to do</source>

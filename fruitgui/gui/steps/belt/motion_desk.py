@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Signal
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.belt.measuring import Motion, measuring
 from fruitgui.gui.tasks import Task
+from fruitgui.gui.told import Told
 from fruitgui.sensors.feed import Feed
 from fruitgui.station.station import Station
 
@@ -36,7 +37,7 @@ class MotionDesk(QObject):
         """Begin, unless it measures already."""
         if self._task is not None:
             return
-        self._task = self._session.tasks.run(self.tr("Measuring the belt"), measuring(feed, station))
+        self._task = self._session.tasks.run(lambda: self.tr("Measuring the belt"), measuring(feed, station))
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self._session.messages.error)
         self._task.ended.connect(self._ended)
@@ -46,7 +47,10 @@ class MotionDesk(QObject):
         if motion.motion is not None:
             self.found.emit(motion.motion)
             return
-        self._session.messages.warn(
+        self._session.messages.warn(self._nothing_told)
+
+    def _nothing_told(self) -> Told:
+        return Told(
             self.tr("No fruit passed from which the speed could be told."),
             self.tr("Let the belt run with single fruit on it, and measure again; or type the speed."),
         )

@@ -2,35 +2,35 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 import numpy as np
 from PySide6.QtCore import QEvent, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.frame import F64
-from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.session import Session
+from fruitgui.gui.step_words import reason_text
 from fruitgui.gui.steps.belt.advice import advice
 from fruitgui.gui.steps.belt.backdrop import Backdrop
-from fruitgui.gui.steps.belt.draft import Draft, added, draft_of, moved, removed, saved_in, undone, with_measured
+from fruitgui.gui.steps.belt.draft import Draft, added, draft_of, moved, removed, undone, with_measured
 from fruitgui.gui.steps.belt.measuring import plan_motion
 from fruitgui.gui.steps.belt.motion_desk import MotionDesk
 from fruitgui.gui.steps.belt.projection import Projection, Through, above, motion_arrow
 from fruitgui.gui.steps.belt.region_canvas import RegionCanvas
+from fruitgui.gui.steps.belt.saving import save_belt
 from fruitgui.gui.steps.belt.side_panel import SidePanel
 from fruitgui.gui.steps.belt.tool_row import ABOVE, ToolRow
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.ways import at_root, ways_on
 from fruitgui.gui.widgets.cards import EmptyPlace
 from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.sensors.feed import Feed
 from fruitgui.station.belt_setting import area_m2
 from fruitgui.station.fingerprint import calibration_fingerprint
 from fruitgui.station.station import Station
-from fruitgui.station.workflow import Step
+from fruitgui.station.workflow import State, Step
 from fruitgui.tracking.belt import BeltMotion
 
 DRAW_MS = 125
@@ -55,7 +55,6 @@ class BeltPage(StepPage):
         self.motion = MotionDesk(session, self)
         self._draw = QTimer(self, interval=DRAW_MS)
         self.save_action, self.undo_action = QAction(self), QAction(self)
-        self.on_action, self.back_action = QAction(self), QAction(self)
         self._lay_out()
         self._connect()
         self._say_words()
@@ -109,6 +108,7 @@ class BeltPage(StepPage):
         session, canvas, side = self._session, self.canvas, self.side
         session.station_changed.connect(self._station_changed)
         session.connected.changed.connect(self._feed_changed)
+        session.states_changed.connect(self._show_actions)
         self._draw.timeout.connect(self._draw_picture)
         self._backdrop.made.connect(canvas.show_image)
         self._backdrop.queries.failed.connect(session.messages.error)
@@ -125,15 +125,11 @@ class BeltPage(StepPage):
         self.motion.changed.connect(self._show_draft)
         self.save_action.triggered.connect(self._save)
         self.undo_action.triggered.connect(self._undo)
-        self.on_action.triggered.connect(self._go_on)
-        self.back_action.triggered.connect(self._go_back)
 
     def _say_words(self) -> None:
         for action, text, tip, icon, key in (
             (self.save_action, self.tr("Save belt"), self.tr("Save region, motion and heights"), "save", "Ctrl+Return"),
             (self.undo_action, self.tr("Undo"), self.tr("Take back the last change to the region"), "undo", "Ctrl+Z"),
-            (self.on_action, self.tr("Teach"), self.tr("Go on to teaching"), "teach", "Ctrl+Return"),
-            (self.back_action, self.tr("Calibrate"), self.tr("Go to calibrating"), "calibrate", "Ctrl+Return"),
         ):
             action.setText(text)
             action.setToolTip(tip)
@@ -204,16 +200,23 @@ class BeltPage(StepPage):
         self._show_actions()
 
     def _show_actions(self) -> None:
-        draft = self._draft
+        draft, states = self._draft, self._session.states()
         if draft is None:
-            self.offer(self.back_action)
-            self.say(self.tr("Calibrate the sensors first."))
+            missing = at_root(Step.BELT, states)
+            self.offer(self.way_to(next(iter(ways_on(missing)), Step.CALIBRATE)))
+            self.say(reason_text(missing))
             return
+        calibrating = states[Step.CALIBRATE]
         done = not self._changed and self._session.marks.belt_calibration == self._fingerprint()
         self.undo_action.setEnabled(draft.before is not None)
         self.save_action.setEnabled(not draft.problem and not self.motion.busy)
-        self.offer(self.on_action if done else self.save_action, self.undo_action)
-        self.say(advice(draft, done=done, measuring=self.motion.busy))
+        if calibrating.state is State.REDO and not self._changed:
+            self.offer(self.way_to(Step.CALIBRATE), self.undo_action)
+            self.say(reason_text(calibrating))
+            return
+        to_sensors = () if self._feed() is not None else (self.way_to(Step.CONNECT),)
+        self.offer(self.way_to(Step.TEACH) if done else self.save_action, *to_sensors, self.undo_action)
+        self.say(advice(draft, states[Step.BELT], done=done, measuring=self.motion.busy, connected=not to_sensors))
 
     def _fingerprint(self) -> str:
         return "" if self._station is None else calibration_fingerprint(self._station)
@@ -279,23 +282,8 @@ class BeltPage(StepPage):
         draft, station = self._draft, self._station
         if draft is None or station is None or draft.problem:
             return
-        session, before, marks = self._session, station, self._session.marks
         spread = self._spread_m_s
-        session.save_station(saved_in(draft, station))
-        session.save_marks(marks.model_copy(update={"belt_calibration": calibration_fingerprint(station)}))
+        save_belt(self._session, draft, station)
         self._take_station()
         self._spread_m_s = spread
         self._show_draft()
-
-        def take_back() -> None:
-            session.save_station(before)
-            session.save_marks(marks)
-
-        said = Message(Level.GOOD, self.tr("The belt is saved."), action=self.tr("Undo"), act=take_back)
-        session.when_saved(partial(session.messages.say, said))
-
-    def _go_on(self) -> None:
-        self.step_wanted.emit(Step.TEACH)
-
-    def _go_back(self) -> None:
-        self.step_wanted.emit(Step.CALIBRATE)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.calibrate.advice import prepare_advice
 from fruitgui.gui.steps.calibrate.core_words import in_words
 from fruitgui.gui.steps.calibrate.outlook_look import OutlookLook
 from fruitgui.gui.steps.calibrate.prepare_panel import PreparePanel
@@ -23,6 +24,7 @@ from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.told import Told
 from fruitgui.gui.widgets.cards import EmptyPlace
 from fruitgui.station.fused_cloud import SensorCloud
 from fruitgui.station.workflow import State, Step
@@ -47,7 +49,6 @@ class CalibratePage(StepPage):
         self.outlook = OutlookLook(self)
         self.calibrate_action, self.keep_action = QAction(self), QAction(self)
         self.discard_action, self.again_action = QAction(self), QAction(self)
-        self.on_action, self.connect_action = QAction(self), QAction(self)
         self.back_action = QAction(self)
         self._lay_out()
         self._say_words()
@@ -93,8 +94,6 @@ class CalibratePage(StepPage):
         self.discard_action.triggered.connect(self._discard)
         self.again_action.triggered.connect(self._begin_again)
         self.back_action.triggered.connect(self._go_back)
-        self.on_action.triggered.connect(self._go_on)
-        self.connect_action.triggered.connect(self._go_to_connect)
 
     def _say_words(self) -> None:
         for action, text, tip, icon, key in (
@@ -106,8 +105,6 @@ class CalibratePage(StepPage):
             (self.again_action, self.tr("Calibrate again"), self.tr("Begin anew; the calibration in use stays until "
              "another is kept"), "redo", "Ctrl+N"),
             (self.back_action, self.tr("Back"), self.tr("Stay with what was before"), "left", "Ctrl+Backspace"),
-            (self.on_action, self.tr("Set the belt"), self.tr("Go on to the belt"), "belt", "Ctrl+Return"),
-            (self.connect_action, self.tr("Connect"), self.tr("Go to the sensors"), "connect", "Ctrl+Return"),
         ):  # fmt: skip
             action.setText(text)
             action.setToolTip(tip)
@@ -174,36 +171,33 @@ class CalibratePage(StepPage):
 
     def _show_actions(self) -> None:
         shown, busy = self._shown(), self._task is not None
-        ready = self._ready()
+        state = self._session.states()[Step.CALIBRATE]
+        ready, running = self._ready(), self._session.running.running
         self.calibrate_action.setEnabled(ready and not busy)
         self.again_action.setEnabled(ready and not busy)
         if self._result is not None and self._result.outcome.accepted:
             self.offer(self.keep_action, self.again_action, self.discard_action)
             self.say(self.tr("Look at the cloud: where views overlap, nothing should appear twice. Then keep it."))
         elif self._result is not None:
-            self.offer(self.calibrate_action, self.back_action)
-            self.say(self.tr("Change what the pictures show, then calibrate once more."))
+            self.offer(self.calibrate_action, *self._ways_on(ready), self.back_action)
+            changed = self.tr("Change what the pictures show, then calibrate once more.")
+            self.say(changed if ready else prepare_advice(state, ready=ready, running=running))
         elif shown is self.result:
-            self.offer(self.on_action, self.again_action)
+            self.offer(self.way_to(Step.BELT), self.again_action)
             self.say(self.tr("The sensors are calibrated."))
         elif shown is self.nothing:
-            self.offer(self.connect_action)
+            self.offer(self.way_to(Step.CONNECT))
             self.say(self.tr("Connect the sensors first."))
         else:
-            self.offer(self.calibrate_action, *self._ways_on(ready))
-            self.say(self._prepare_hint(ready))
+            back = (self.back_action,) if self._calibrated() else ()
+            self.offer(self.calibrate_action, *self._ways_on(ready), *back)
+            self.say(prepare_advice(state, ready=ready, running=running))
 
-    def _ways_on(self, ready: bool) -> list[QAction]:
-        """Return what else can be done while nothing was calibrated."""
-        ways = [self.connect_action] if not ready and not self._session.running.running else []
-        return [*ways, self.back_action] if self._calibrated() else ways
-
-    def _prepare_hint(self, ready: bool) -> str:
-        if self._session.running.running:
-            return self.tr("The line runs. Its sensors can be calibrated when the lot has ended.")
-        if not ready:
-            return self.tr("Not all sensors give pictures; look after them on the screen “Connect”.")
-        return self.tr("Put fruit on the belt as in the picture, then press Calibrate. It takes some seconds.")
+    def _ways_on(self, ready: bool) -> tuple[QAction, ...]:
+        """Return where that is mended for which one cannot calibrate now."""
+        if ready:
+            return ()
+        return (self.way_to(Step.LIVE if self._session.running.running else Step.CONNECT),)
 
     def _ready(self) -> bool:
         """Whether all of the connection's sensors give pictures, and no lot runs before them."""
@@ -231,7 +225,7 @@ class CalibratePage(StepPage):
         if feed is None or connection is None or self._task is not None:
             return
         job = calibrating(feed, connection.reference_name, self._session.station, self._session.depths)
-        self._task = self._session.tasks.run(self.tr("Calibrating"), job)
+        self._task = self._session.tasks.run(lambda: self.tr("Calibrating"), job)
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self._session.messages.error)
         self._task.cancelled.connect(self._stopped)
@@ -242,7 +236,7 @@ class CalibratePage(StepPage):
         self._result = made
 
     def _stopped(self) -> None:
-        self._session.messages.info(self.tr("Calibrating was stopped; nothing was changed."))
+        self._session.messages.info(lambda: Told(self.tr("Calibrating was stopped; nothing was changed.")))
 
     def _ended(self) -> None:
         self._task = None
@@ -252,7 +246,7 @@ class CalibratePage(StepPage):
         feed, station = self._session.connected.feed, self._session.station
         if feed is not None and station is not None and set(feed.infos) <= set(station.sensors):
             self._drawn_for = station
-            self._drawing = self._session.tasks.run(self.tr("Looking at the belt"), drawing(feed, station))
+            self._drawing = self._session.tasks.run(lambda: self.tr("Looking at the belt"), drawing(feed, station))
             self._drawing.succeeded.connect(self._show_drawn)
             self._drawing.ended.connect(self._drawn)
 
@@ -272,9 +266,11 @@ class CalibratePage(StepPage):
         self._drawn_for = made.outcome.station
         self._session.save_station(made.outcome.station)
         self._show()
-        text = self.tr("The calibration is kept.")
-        undone = Message(Level.GOOD, text, action=self.tr("Undo"), act=self._undo)
-        said = undone if had else Message(Level.GOOD, text)
+
+        def told() -> Told:
+            return Told(self.tr("The calibration is kept."), action=self.tr("Undo") if had else "")
+
+        said = Message(Level.GOOD, told, self._undo if had else None)
         self._session.when_saved(partial(self._session.messages.say, said))
 
     def _undo(self) -> None:
@@ -294,9 +290,3 @@ class CalibratePage(StepPage):
     def _go_back(self) -> None:
         self._result, self._again = None, False
         self._show()
-
-    def _go_on(self) -> None:
-        self.step_wanted.emit(Step.BELT)
-
-    def _go_to_connect(self) -> None:
-        self.step_wanted.emit(Step.CONNECT)

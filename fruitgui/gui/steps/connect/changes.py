@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.details import SensorDetails
+from fruitgui.gui.told import Told
 from fruitgui.station.connection import Connection
 from fruitgui.station.connection_changes import moved, referred_to, renamed, without
 
@@ -55,8 +56,10 @@ class SensorChanges(QObject):
         if before is not None and len(before.sensors) > 1:
             self._session.save_connection(without(before, name))
             self._session.start_sensors()
-            text = self.tr("{sensor} is left out.").format(sensor=name)
-            self._session.messages.info(text, self.tr("Undo"), lambda: self._restore(before))
+            self._session.messages.info(lambda: self._left_out(name), lambda: self._restore(before))
+
+    def _left_out(self, name: str) -> Told:
+        return Told(self.tr("{sensor} is left out.").format(sensor=name), action=self.tr("Undo"))
 
     def _restore(self, connection: Connection) -> None:
         self._session.save_connection(connection)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QDialog,
@@ -82,7 +82,7 @@ class CheckupDialog(QDialog):
         def job(progress: Progress, cancelled: Cancelled) -> Checkup:
             return check(worded(progress), cancelled)
 
-        self._task = self._tasks.run(self.tr("Checking the sensors"), job)
+        self._task = self._tasks.run(_checking, job)
         self._task.progressed.connect(self._show_progress)
         self._task.succeeded.connect(self._found)
         self._task.failed.connect(self._failed)
@@ -239,7 +239,7 @@ class CheckupDialog(QDialog):
         def job(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001 - the system asks, and takes its time
             install_rules(install)
 
-        self._installing = self._tasks.run(self.tr("Installing the rules"), job)
+        self._installing = self._tasks.run(_installing, job)
         self._installing.succeeded.connect(self._installed)
         self._installing.failed.connect(self._failed)
         self._installing.ended.connect(self._install_ended)
@@ -251,3 +251,13 @@ class CheckupDialog(QDialog):
     def _install_ended(self) -> None:
         self._installing = None
         self._show_busy()
+
+
+def _checking() -> str:
+    """Return the job's name, which may outlive the dialog."""
+    return QCoreApplication.translate("CheckupDialog", "Checking the sensors")
+
+
+def _installing() -> str:
+    """Return the job's name, which may outlive the dialog."""
+    return QCoreApplication.translate("CheckupDialog", "Installing the rules")

@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.connect.advice import SensorsNow, chooser_advice, sensors_advice
 from fruitgui.gui.steps.connect.changes import SensorChanges
 from fruitgui.gui.steps.connect.checkup_desk import CheckupDesk
 from fruitgui.gui.steps.connect.chooser import SourceChooser
@@ -23,7 +24,8 @@ from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.scrolled import Scrolled
-from fruitgui.station.workflow import Step
+from fruitgui.sensors.feed import Running
+from fruitgui.station.workflow import State, Step, opening_step
 
 SIDE_WIDTH = 336
 LOOK_MS = 500
@@ -49,7 +51,7 @@ class ConnectPage(StepPage):
         self.checkup = CheckupDesk(session, theme, self)
         self.depth_wizard = DepthWizard(session, theme, self._stack)
         self._look = QTimer(self, interval=LOOK_MS)
-        self.connect_action, self.calibrate_action = QAction(self), QAction(self)
+        self.connect_action, self.start_action, self.calibrate_action = QAction(self), QAction(self), QAction(self)
         self.change_action, self.back_action, self.check_action = QAction(self), QAction(self), QAction(self)
         self._lay_out()
         self._say_words()
@@ -124,6 +126,7 @@ class ConnectPage(StepPage):
         self.connect_action.triggered.connect(self._connect_source)
         self.change_action.triggered.connect(self._change_source)
         self.back_action.triggered.connect(self._go_back)
+        self.start_action.triggered.connect(session.start_sensors)
         self.calibrate_action.triggered.connect(self._go_on)
         self.check_action.triggered.connect(self.checkup.ask)
 
@@ -132,6 +135,7 @@ class ConnectPage(StepPage):
             (self.connect_action, self.tr("Connect"), self.tr("Connect the sensors of this source"), "connect"),
             (self.calibrate_action, self.tr("Calibrate"), self.tr("Go on to calibrating"), "calibrate"),
             (self.change_action, self.tr("Other source…"), self.tr("Connect something else"), "connect"),
+            (self.start_action, self.tr("Start again"), self.tr("Start the sensors of this source again"), "redo"),
             (self.back_action, self.tr("Back"), self.tr("Stay with the sensors that are connected"), "left"),
             (
                 self.check_action,
@@ -145,6 +149,7 @@ class ConnectPage(StepPage):
             action.setProperty("drawing", icon)
         self.connect_action.setShortcut("Ctrl+Return")
         self.calibrate_action.setShortcut("Ctrl+Return")
+        self.start_action.setShortcut("Ctrl+Return")
         self.change_action.setShortcut("Ctrl+N")
         self.back_action.setShortcut("Ctrl+Backspace")
         self.check_action.setShortcut("Ctrl+U")
@@ -203,42 +208,44 @@ class ConnectPage(StepPage):
             self.connect_action.setEnabled(self.chooser.source is not None and not opening)
             back = () if self._session.connection is None else (self.back_action,)
             self.offer(self.connect_action, self.check_action, *back)
-            self.say(self._chooser_hint())
+            self.say(chooser_advice(chosen=self.chooser.source is not None))
             return
         if self.depth_wizard.course is not None:
             self.offer(*self.depth_wizard.actions_now)
             self.say(self.depth_wizard.hint)
             return
-        running, count = summary(self.views())
-        self.calibrate_action.setEnabled(running == count)
+        now = self._now()
+        self.calibrate_action.setEnabled(now.running == now.count)
         free = not opening and not self.recording.recording
-        self.change_action.setEnabled(free and not self._session.running.running)
-        self.recording.action.setEnabled(free and running > 0)
-        self.offer(self.calibrate_action, self.check_action, self.change_action, self.recording.action)
-        self.say(self._sensors_hint(running, count))
+        self.change_action.setEnabled(free and not now.counting)
+        self.recording.action.setEnabled(free and now.running > 0)
+        self.offer(self._most_likely(now), self.check_action, self.change_action, self.recording.action)
+        self.say(sensors_advice(now))
 
-    def _chooser_hint(self) -> str:
-        if self.chooser.source is None:
-            return self.tr("Choose the file of a recording, or another source.")
-        return self.tr("Choose what shall be connected, then press Connect.")
-
-    def _sensors_hint(self, running: int, count: int) -> str:
-        if self._session.source.opening:
-            return self.tr("The sensors are being started.")
-        if self._session.running.running:
-            return self.tr("The line runs. Sensors can be changed when its lot has ended.")
-        if self.recording.recording:
-            return self.tr("The sensors are being recorded. They can be changed when the recording has ended.")
-        if self.projectors.trying:
-            return self.tr("The projectors are being measured; pictures come and go meanwhile.")
-        if running < count:
-            text = self.tr("{running} of {count} sensors run. Look after the others, or leave them out.")
-            return text.format(running=running, count=count)
-        if count == 1:
-            return self.tr("The sensor runs. Give it a name, then calibrate.")
-        return self.tr("{count} sensors run. Give each a name, choose the reference, then calibrate.").format(
-            count=count
+    def _now(self) -> SensorsNow:
+        """Return what goes on with the sensors."""
+        session, health = self._session, self._session.connected.health
+        return SensorsNow(
+            *summary(self.views()),
+            opening=session.source.opening,
+            failure=session.source.failure,
+            still=session.connected.feed is None,
+            over=bool(health) and all(one.state is Running.ENDED for one in health.values()),
+            counting=session.running.running,
+            recording=self.recording.recording,
+            trying=self.projectors.trying,
+            calibrated=session.states()[Step.CALIBRATE].state is State.DONE,
         )
+
+    def _most_likely(self, now: SensorsNow) -> QAction:
+        """Return what the person most likely wants to do next."""
+        if now.counting:
+            return self.way_to(Step.LIVE)
+        if now.stopped:
+            return self.start_action
+        if now.calibrated and now.running == now.count:
+            return self.way_to(opening_step(self._session.states()))
+        return self.calibrate_action
 
     # what is done
 

@@ -22,8 +22,10 @@ from fruitgui.gui.steps.live.presenter import Marks
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.ways import at_root, ways_on
 from fruitgui.gui.widgets.cards import EmptyPlace
 from fruitgui.gui.widgets.sensor_picture import Overlays
+from fruitgui.records.lot import Lot
 from fruitgui.sensors.feed import Feed
 from fruitgui.station.live.state import Preview
 from fruitgui.station.workflow import State, Step
@@ -125,19 +127,29 @@ class LivePage(StepPage):
 
     def _follow(self) -> None:
         """Show what can be done now."""
-        state = self._session.states()[Step.LIVE]
+        state = at_root(Step.LIVE, self._session.states())
         ready = state.state is not State.TO_DO or self._running.running
         self._stack.setCurrentWidget(self.body if ready else self.empty)
-        self.empty.show_words(self.tr("The line is not set up yet"), reason_text(state))
+        self.empty.show_words(self.tr("Nothing can be counted yet"), reason_text(state))
         lot, running = self._running.lot, self._running.running
+        still = not running and self._session.connected.feed is None
         for action in (self.start, self.take_up):
-            action.setEnabled(ready)
-        if lot is None:
-            self.offer(self.start)
-            self.say(self.tr("Start a lot to count fruit.") if ready else "")
+            action.setEnabled(ready and not still)
+        ways = tuple(map(self.way_to, ways_on(state)))
+        if not ready and ways:
+            self.offer(ways[0], *((self.end,) if lot is not None else ()))
+            self.say(reason_text(state) if lot is None else f"{self._left_open(lot)} {reason_text(state)}")
+        elif still:
+            ends = (self.end,) if lot is not None else ()
+            self.offer(self.start if lot is None else self.take_up, self.way_to(Step.CONNECT), *ends)
+            opening, stopped = self.tr("The sensors are being started."), self.tr("No sensor runs: start them again.")
+            self.say(opening if self._session.source.opening else stopped)
+        elif lot is None:
+            self.offer(self.start, *ways)
+            self.say(" ".join(filter(None, (reason_text(state), self.tr("Start a lot to count fruit.")))))
         elif not running:
-            self.offer(self.take_up, self.end)
-            self.say(self.tr("Lot {name} is still open; every fruit that was counted is kept.").format(name=lot.name))
+            self.offer(self.take_up, *ways, self.end)
+            self.say(self._left_open(lot))
         elif lot.paused:
             self.offer(self.resume, self.name, self.end)
             self.say(self.tr("Lot {name} is paused: fruit pass uncounted.").format(name=lot.name))
@@ -147,6 +159,9 @@ class LivePage(StepPage):
         self._say_standing()
         self._show_sensors()
         self._draw_parts()
+
+    def _left_open(self, lot: Lot) -> str:
+        return self.tr("Lot {name} is still open; every fruit that was counted is kept.").format(name=lot.name)
 
     def _say_standing(self) -> None:
         """Say in large where a lot is open and nothing is counted."""

@@ -35,7 +35,12 @@ WIDTHS = {
     Column.PICTURE: 64, Column.NUMBER: 64, Column.SURE: 64, Column.VOLUME: 118, Column.MASS: 112, Column.DIAMETER: 118,
     Column.LENGTH: 118, Column.VIEWS: 70,
 }  # fmt: skip
-KIND_WIDTH = 160
+KIND_WIDTH, WIDEST_KIND = 160, 360
+"""Pixels: in a wider column a figure is too far from its kind's name to be read with it."""
+
+WIDEST_FIGURES = 1.5
+"""Times their width, where there is room."""
+
 FIRST_TO_GO = (Column.VIEWS, Column.LENGTH, Column.MASS)
 """Columns that are hidden, in this order, where there is no room; a fruit that is opened shows them all."""
 
@@ -132,9 +137,6 @@ class FruitTable(QWidget):
         head.setMinimumHeight(44)
         head.setHighlightSections(False)
         head.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        head.setSectionResizeMode(COLUMNS.index(Column.KIND), QHeaderView.ResizeMode.Stretch)
-        for column, width in WIDTHS.items():
-            head.resizeSection(COLUMNS.index(column), width)
         head.setSectionsClickable(True)
         for show in Show:
             self.show_box.addItem("", show)
@@ -188,6 +190,12 @@ class FruitTable(QWidget):
             hidden = room < 0
             self.view.setColumnHidden(COLUMNS.index(column), hidden)
             room += WIDTHS[column] if hidden else 0
+        head, kind = self.view.horizontalHeader(), min(KIND_WIDTH + max(room, 0), WIDEST_KIND)
+        shown = sum(width for column, width in WIDTHS.items() if not self.view.isColumnHidden(COLUMNS.index(column)))
+        wider = min(max((self.view.viewport().width() - kind) / shown, 1.0), WIDEST_FIGURES)
+        head.resizeSection(COLUMNS.index(Column.KIND), kind)
+        for column, width in WIDTHS.items():
+            head.resizeSection(COLUMNS.index(column), width if column is Column.PICTURE else int(width * wider))
 
     def _sort(self, section: int) -> None:
         column, now = COLUMNS[section], self._wanted

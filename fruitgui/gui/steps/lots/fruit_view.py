@@ -29,6 +29,9 @@ from fruitgui.gui.widgets.kind_mark import KindMarkView
 from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.records.fruit_record import FruitRecord
 
+WIDEST_PICTURE, WIDEST_FACTS = 1100, 760
+"""Pixels: beyond, a picture shows nothing more, and a fact is far from its name."""
+
 
 class FruitView(QWidget):
     """Shows one fruit of a list.
@@ -115,14 +118,18 @@ class FruitView(QWidget):
         right.addWidget(self.said)
         right.addStretch()
         scroll = Scrolled(side)
+        self.picture.setMaximumSize(WIDEST_PICTURE, WIDEST_PICTURE)
+        scroll.setMaximumWidth(WIDEST_FACTS)
         left = QVBoxLayout()
         left.setSpacing(GRID // 2)
         left.addWidget(self.picture, 1)
         left.addWidget(self.outline)
+        left.addStretch()
         middle = QHBoxLayout()
         middle.setSpacing(2 * GRID)
         middle.addLayout(left, 5)
         middle.addWidget(scroll, 5)
+        middle.addStretch()
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(GRID)

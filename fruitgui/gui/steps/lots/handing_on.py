@@ -16,6 +16,7 @@ from fruitgui.gui.messages import Messages
 from fruitgui.gui.steps.lots.report import write_report
 from fruitgui.gui.tasks import Job, TaskRunner
 from fruitgui.gui.theme.kinds import KindMark
+from fruitgui.gui.told import Told, Words
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.lot import Lot
 from fruitgui.records.lot_csv import write_lot
@@ -47,7 +48,7 @@ class HandingOn(QObject):
         def job(progress: Progress, cancelled: Cancelled) -> None:
             write_report(self._store, lot.key, path, time.time(), marks, progress, cancelled)
 
-        self._run(self.tr("Report on lot {name}").format(name=lot.name), job, path)
+        self._run(lambda: self.tr("Report on lot {name}").format(name=lot.name), job, path)
 
     def write_table(self, lot: Lot, path: Path) -> None:
         """Write the table of fruit."""
@@ -55,20 +56,21 @@ class HandingOn(QObject):
         def job(progress: Progress, cancelled: Cancelled) -> None:
             write_lot(self._store, lot.key, path, lambda share, _: progress(share, path.name), cancelled)
 
-        self._run(self.tr("Table of lot {name}").format(name=lot.name), job, path)
+        self._run(lambda: self.tr("Table of lot {name}").format(name=lot.name), job, path)
 
-    def _run(self, name: str, job: Job[None], path: Path) -> None:
+    def _run(self, name: Words, job: Job[None], path: Path) -> None:
         task = self._tasks.run(name, job)
         task.succeeded.connect(lambda _: self._written(path))
         task.failed.connect(self._messages.error)
 
     def _written(self, path: Path) -> None:
-        text = self.tr("{path} is written.").format(path=path)
+        def told() -> Told:
+            return Told(self.tr("{path} is written.").format(path=path), action=self.tr("Open"))
 
         def look() -> None:
             QDesktopServices.openUrl(QUrl.fromLocalFile(str(path)))
 
-        self._messages.info(text, self.tr("Open"), look)
+        self._messages.info(told, look)
 
     def _ask(self, title: str, kinds: str, lot: Lot, suffix: str, write: Callable[[Lot, Path], None]) -> None:
         dialog = QFileDialog(self._window, title, self._folder, kinds)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
-from PySide6.QtGui import QAction, QKeySequence, QShortcut
+from PySide6.QtGui import QAction, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.session import Session
@@ -17,11 +17,15 @@ from fruitgui.gui.steps.lots.store_menu import StoreMenu
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.told import Told
 from fruitgui.gui.widgets.cards import Card, EmptyPlace
 from fruitgui.records.lot_search import LotPage, LotQuery
 from fruitgui.station.workflow import Step
 
-LIST_WIDTH = 300
+LIST_WIDTH, WIDEST_LIST = 300, 440
+LIST_SHARE = 5
+"""Times as wide as the list is the screen, where there is room."""
+
 LOOK_MS = 2_000
 """How often a lot that is not ended is read again while it is looked at."""
 
@@ -49,7 +53,7 @@ class LotsPage(StepPage):
         self.store_menu = StoreMenu(
             session.workspace.folder, session.tasks, session.messages, self, lambda: session.running.running
         )
-        self.report_action, self.table_action, self.live_action = QAction(self), QAction(self), QAction(self)
+        self.report_action, self.table_action = QAction(self), QAction(self)
         self._look = QTimer(self, interval=LOOK_MS)
         self._lay_out()
         self._connect()
@@ -79,6 +83,11 @@ class LotsPage(StepPage):
             self.lots.choose(lot)
             self._read_lot()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Let the list have its share: in a wide one, growers' names are whole."""
+        super().resizeEvent(event)
+        self.lots.setFixedWidth(min(max(self.width() // LIST_SHARE, LIST_WIDTH), WIDEST_LIST))
+
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
         if event.type() == QEvent.Type.LanguageChange:
@@ -88,7 +97,6 @@ class LotsPage(StepPage):
         super().changeEvent(event)
 
     def _lay_out(self) -> None:
-        self.lots.setFixedWidth(LIST_WIDTH)
         self._nothing.body.addWidget(self._empty)
         self._stack.addWidget(self._nothing)
         self._stack.addWidget(self.lot)
@@ -116,7 +124,6 @@ class LotsPage(StepPage):
         self._look.timeout.connect(self._look_again)
         self.report_action.triggered.connect(self._hand_on_report)
         self.table_action.triggered.connect(self._hand_on_table)
-        self.live_action.triggered.connect(self._go_live)
         context = Qt.ShortcutContext.WidgetWithChildrenShortcut
         for keys, act in (
             ("Ctrl+1", self.lot.show_summary), ("Ctrl+2", self.lot.show_fruit), ("Ctrl+F", self._search),
@@ -128,7 +135,6 @@ class LotsPage(StepPage):
         for action, text, tip, icon, key in (
             (self.report_action, self.tr("Report …"), self.tr("A PDF to hand to the grower"), "report", "Ctrl+R"),
             (self.table_action, self.tr("Table …"), self.tr("All fruit of the lot as CSV"), "export", "Ctrl+E"),
-            (self.live_action, self.tr("Live"), self.tr("Go on to the live screen"), "live", "Ctrl+Return"),
         ):
             action.setText(text)
             action.setToolTip(tip)
@@ -152,7 +158,7 @@ class LotsPage(StepPage):
         if there:
             self.offer(self.report_action, self.table_action)
         else:
-            self.offer(self.live_action)
+            self.offer(self.way_to(Step.LIVE))
         found, narrowed = self.lots.model.pages.found, self.lots.narrowed
         self._empty.show_words(*self._empty_words(found, narrowed=narrowed))
         self.say(self._next_words(there=there))
@@ -170,7 +176,8 @@ class LotsPage(StepPage):
 
     def _next_words(self, *, there: bool) -> str:
         if not there:
-            return self.tr("Here is what has been run.")
+            some = self.lots.model.pages.found or self.lots.narrowed
+            return self.tr("Choose a lot at the left.") if some else self.tr("Start a lot on the live screen first.")
         if not self.lot.at_fruit:
             return self.tr("Look through the fruit, correct what is wrong, then hand on the report.")
         if self.lot.fruit.opened:
@@ -235,7 +242,9 @@ class LotsPage(StepPage):
         self.lots.model.refresh()
         self._read_lot()
         undo = self.desk.can_undo
-        self._session.messages.info(word.text, self.tr("Undo") if undo else "", self.desk.undo if undo else None)
+        self._session.messages.info(
+            lambda: Told(word.text, action=self.tr("Undo") if undo else ""), self.desk.undo if undo else None
+        )
 
     # what is done
 
@@ -247,9 +256,6 @@ class LotsPage(StepPage):
     def _hand_on_table(self) -> None:
         if self.lot.read is not None:
             self.handing_on.ask_table(self.lot.read.figures.lot)
-
-    def _go_live(self) -> None:
-        self.step_wanted.emit(Step.LIVE)
 
     def _search(self) -> None:
         self.lots.words.setFocus()

@@ -14,6 +14,7 @@ from fruitgui.errors import FruitguiError, InputError
 from fruitgui.gui.messages import Messages
 from fruitgui.gui.tasks import TaskRunner
 from fruitgui.gui.times import moment_text
+from fruitgui.gui.told import Told
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.backup import Backup, back_up, backup_path
 from fruitgui.records.restore import find_backups, forget_restore, is_prepared, prepare_restore
@@ -71,8 +72,8 @@ class StoreMenu(QObject):
         def job(progress: Progress, cancelled: Cancelled) -> Backup:
             return back_up(self._folder, path, None, progress, cancelled)
 
-        task = self._tasks.run(self.tr("Backup"), job)
-        task.succeeded.connect(lambda _: self._messages.good(self.tr("{path} holds all of it.").format(path=path)))
+        task = self._tasks.run(lambda: self.tr("Backup"), job)
+        task.succeeded.connect(lambda _: self._messages.good(lambda: self._backed_up(path)))
         task.failed.connect(self._messages.error)
 
     def lay_ready(self, path: Path) -> None:
@@ -81,9 +82,12 @@ class StoreMenu(QObject):
         def job(progress: Progress, cancelled: Cancelled) -> Backup:
             return prepare_restore(self._folder, path, time.time(), progress, cancelled)
 
-        task = self._tasks.run(self.tr("Checking the backup"), job)
+        task = self._tasks.run(lambda: self.tr("Checking the backup"), job)
         task.succeeded.connect(self._laid_ready)
         task.failed.connect(self._messages.error)
+
+    def _backed_up(self, path: Path) -> Told:
+        return Told(self.tr("{path} holds all of it.").format(path=path))
 
     def _say_words(self) -> None:
         for action, text, tip in (
@@ -144,8 +148,11 @@ class StoreMenu(QObject):
         question.open()
 
     def _laid_ready(self, backup: Backup) -> None:
+        self._messages.info(lambda: self._whole(backup), self._close)
+
+    def _whole(self, backup: Backup) -> Told:
         text = self.tr("The backup of {when} is whole. Close the window and start again: it is put in place then.")
-        self._messages.info(text.format(when=moment_text(backup.made_s)), self.tr("Close now"), self._close)
+        return Told(text.format(when=moment_text(backup.made_s)), action=self.tr("Close now"))
 
     def _close(self) -> None:
         self._window.window().close()
@@ -156,7 +163,7 @@ class StoreMenu(QObject):
         except FruitguiError as error:
             self._messages.error(error)
             return
-        self._messages.info(self.tr("Everything stays as it is at the next start."))
+        self._messages.info(lambda: Told(self.tr("Everything stays as it is at the next start.")))
 
     def _show_folder(self) -> None:
         QDesktopServices.openUrl(QUrl.fromLocalFile(str(self._folder)))

@@ -9,15 +9,16 @@ from fruitgui.gui.steps.teach.desk import Desk, Pile, Shelf
 translate = QCoreApplication.translate
 
 
-def advice(desk: Desk, shelf: Shelf, *, calibrated: bool, running: bool) -> str:
+def advice(desk: Desk, shelf: Shelf, *, first: str, running: bool, connected: bool) -> str:
     """Return what to do next.
 
     Args:
         desk: what lies on it. shelf: that is looked at.
-        calibrated: fruit can come in at all. running: a lot runs, so that none do now.
+        first: what is to be finished before fruit can come in; empty where nothing is.
+        running: a lot runs, so that none do now. connected: sensors run.
     """
-    if not calibrated:
-        return translate("TeachPage", "Calibrate the sensors first; then fruit can come in.")
+    if first:
+        return first
     if running:
         return translate(
             "TeachPage", "A lot is running; fruit can be named meanwhile, but none come in until it is ended."
@@ -31,6 +32,8 @@ def advice(desk: Desk, shelf: Shelf, *, calibrated: bool, running: bool) -> str:
         return translate("TeachPage", "Press the key of a kind, and go on to the next fruit.")
     if desk.done:
         return translate("TeachPage", "Enough is taught; go on to training.")
+    if not connected:
+        return translate("TeachPage", "No sensor runs: connect them, or open a recording that was made of this line.")
     return translate("TeachPage", "Let fruit of every kind come in.")
 
 

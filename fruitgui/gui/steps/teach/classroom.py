@@ -4,19 +4,28 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from fruitgui.errors import FruitguiError
-from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.teach import work
+from fruitgui.gui.steps.teach.classroom_words import (
+    labelled_text,
+    labels_text,
+    left_out_told,
+    named_text,
+    no_step_text,
+    step_text,
+)
 from fruitgui.gui.steps.teach.desk import Desk
 from fruitgui.gui.steps.teach.lessons import Lessons
 from fruitgui.gui.tasks import Job, Task
+from fruitgui.gui.told import Told, Words
 from fruitgui.records.correcting import checked_kind
 from fruitgui.records.insight import Insight
 from fruitgui.records.journal import Step
@@ -94,11 +103,7 @@ class Classroom(QObject):
         self.desk.name(keys, kind)
         self._save(lambda: self._teaching.name(keys, kind))
         self._named += len(keys)
-        if len(keys) == 1:
-            said = self.tr("Named: {kind}.").format(kind=kind_name(kind))
-        else:
-            said = self.tr("{count} fruit named: {kind}.").format(count=len(keys), kind=kind_name(kind))
-        self._session.messages.info(said, self.tr("Undo"), self.undo)
+        self._say_done(partial(named_text, len(keys), kind))
         self._look_again()
 
     def clear(self, keys: Sequence[int]) -> None:
@@ -107,22 +112,21 @@ class Classroom(QObject):
         if named:
             self.desk.name(named, None)
             self._save(lambda: self._teaching.clear(named))
-            said = self.tr("{count} fruit wait to be named again.").format(count=len(named))
-            self._session.messages.info(said, self.tr("Undo"), self.undo)
+            self._say_done(lambda: self.tr("{count} fruit wait to be named again.").format(count=len(named)))
 
     def measure(self, key: int, volume_ml: float | None, mass_g: float | None) -> None:
         """Keep what a person measured of a fruit."""
         if key in self.desk.fruit:
             self.desk.measure(key, volume_ml, mass_g)
             self._save(lambda: self._teaching.measure(key, volume_ml, mass_g))
-            self._session.messages.info(self.tr("The measures are kept."), self.tr("Undo"), self.undo)
+            self._say_done(lambda: self.tr("The measures are kept."))
 
     def remove(self, keys: Sequence[int]) -> None:
         """Forget some fruit for good."""
         gone = list(keys)
         self.desk.remove(gone)
         self._save(lambda: self._teaching.remove(gone))
-        self._session.messages.info(self.tr("{count} fruit were removed.").format(count=len(gone)))
+        self._session.messages.info(lambda: Told(self.tr("{count} fruit were removed.").format(count=len(gone))))
 
     def undo(self) -> None:
         """Take the newest step back."""
@@ -137,7 +141,7 @@ class Classroom(QObject):
         if self._look is None and self.desk.can_look_through:
             self._named = 0
             job = work.looking_through(self._session.store, self.queries.wait_for_changes)
-            self._look = self._session.tasks.run(self.tr("Looking through the fruit"), job)
+            self._look = self._session.tasks.run(lambda: self.tr("Looking through the fruit"), job)
             self._look.succeeded.connect(self._take_insight)
             self._look.failed.connect(self._session.messages.error)
             self._look.ended.connect(self._looked)
@@ -147,14 +151,15 @@ class Classroom(QObject):
         """Write what is taught of a source as a labels file."""
 
         def told(rows: int) -> None:
-            said = self.tr("{rows} labels of {source} are in {file}.")
-            self._session.messages.good(said.format(rows=rows, source=source, file=path.name))
+            self._session.messages.good(lambda: Told(labels_text(rows, source, path.name)))
 
-        self._run(self.tr("Writing labels"), work.exporting(self._session.store, source, path), told)
+        self._run(lambda: self.tr("Writing labels"), work.exporting(self._session.store, source, path), told)
 
     def import_labels(self, source: str, path: Path) -> None:
         """Name the fruit of a source as a labels file says; one step, which can be taken back."""
-        self._run(self.tr("Reading labels"), work.importing(self._session.store, source, path), self._take_labels)
+        self._run(
+            lambda: self.tr("Reading labels"), work.importing(self._session.store, source, path), self._take_labels
+        )
 
     def sources(self, *, named: bool) -> list[str]:
         """Return where fruit come from, the newest first; only of fruit with a kind where `named`."""
@@ -210,16 +215,13 @@ class Classroom(QObject):
         self._saved(step)
         self.queries.ask("steps", self._teaching.steps, self._take_steps)
         if step is None:
-            nothing = self.tr("There is nothing to undo.") if back else self.tr("There is nothing to do again.")
-            self._session.messages.info(nothing)
+            self._session.messages.info(lambda: Told(no_step_text(back=back)))
             return
         touched = self.desk.apply(step.changes, back=back)
         self.desk.settled.difference_update(touched)
         self.changed.emit()
         self.touched.emit(touched)
-        count = len(step.changes)
-        done = self.tr("Taken back on {count} fruit.") if back else self.tr("Done again on {count} fruit.")
-        self._session.messages.info(done.format(count=count))
+        self._session.messages.info(lambda: Told(step_text(len(step.changes), back=back)))
 
     def _fail(self, error: FruitguiError) -> None:
         """Say it, and show again what the store really holds."""
@@ -247,18 +249,18 @@ class Classroom(QObject):
             self.look_through()
 
     def _take_labels(self, read: LabelsRead) -> None:
-        said = self.tr("{fruit} fruit were named by {rows} labels.").format(fruit=read.fruit, rows=read.rows)
-        self._session.messages.info(said, self.tr("Undo"), self.undo)
+        self._say_done(partial(labelled_text, read.fruit, read.rows))
         if read.warnings:
             for why in read.warnings:
                 log.warning("%s", why)
-            more = self.tr("{count} rows of the file point at no fruit and were left out.").format(
-                count=len(read.warnings)
-            )
-            self._session.messages.warn(more, self.tr("The log says which: open the help, then Show log."))
+            self._session.messages.warn(partial(left_out_told, len(read.warnings)))
         self.load()
 
-    def _run(self, name: str, job: Job[T], done: Callable[[T], None]) -> None:
+    def _say_done(self, what: Words) -> None:
+        """Say what was done; it can be taken back."""
+        self._session.messages.info(lambda: Told(what(), action=self.tr("Undo")), self.undo)
+
+    def _run(self, name: Words, job: Job[T], done: Callable[[T], None]) -> None:
         task = self._session.tasks.run(name, job)
         task.succeeded.connect(done)
         task.failed.connect(self._session.messages.error)

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from fruitgui.gui.kind_words import kind_name
-from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.numbers import number_text
 from fruitgui.gui.steps.teach.desk import KindLine
 from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.tokens import GRID, TOUCH
@@ -29,6 +29,8 @@ from fruitgui.station.kinds_file import HEAVIEST_G_ML, LIGHTEST_G_ML
 
 MARK_PX = 28
 DIGITS = 3
+ROWS = 6
+"""That are seen at once, in a window of any size."""
 
 
 def read_density(text: str) -> float | None:
@@ -80,7 +82,7 @@ class DensitiesDialog(QDialog):
         field.setMinimumHeight(TOUCH)
         field.setFixedWidth(120)
         field.setAlignment(Qt.AlignmentFlag.AlignRight)
-        field.setPlaceholderText("g/ml")
+        field.setPlaceholderText("–")
         field.setAccessibleName(self.tr("Density of {kind}, g/ml").format(kind=kind_name(kind)))
         field.setValidator(QRegularExpressionValidator(QRegularExpression(r"\d?([.,]\d{0,3})?"), field))
         field.textChanged.connect(self._check)
@@ -90,14 +92,14 @@ class DensitiesDialog(QDialog):
         inside = QWidget()
         inside.setProperty("role", "scrolled")
         grid = QGridLayout(inside)
-        grid.setContentsMargins(0, 0, GRID, 0)
+        grid.setContentsMargins(0, 0, GRID if len(lines) > ROWS else 0, 0)
         grid.setHorizontalSpacing(2 * GRID)
         grid.setVerticalSpacing(GRID)
         grid.setColumnStretch(1, 1)
-        for column, text in ((2, self.tr("By reference fruit")), (3, self.tr("Typed"))):
+        for column, text in ((2, self.tr("By reference fruit, g/ml")), (3, self.tr("Typed, g/ml"))):
             grid.addWidget(label(text, "small"), 0, column, Qt.AlignmentFlag.AlignRight)
         for row, line in enumerate(lines, start=1):
-            learned = "–" if line.density_g_ml is None else f"{number_text(line.density_g_ml, DIGITS)}{THIN}g/ml"
+            learned = "–" if line.density_g_ml is None else number_text(line.density_g_ml, DIGITS)
             grid.addWidget(KindMarkView(marks[line.kind], MARK_PX), row, 0)
             grid.addWidget(label(kind_name(line.kind), "strong"), row, 1)
             grid.addWidget(label(learned, "dim"), row, 2, Qt.AlignmentFlag.AlignRight)
@@ -107,7 +109,8 @@ class DensitiesDialog(QDialog):
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QFrame.Shape.NoFrame)
         scroll.setWidget(inside)
-        scroll.setMinimumHeight(min(5, len(lines)) * (TOUCH + GRID) + 5 * GRID)
+        scroll.setMinimumWidth(inside.sizeHint().width() + scroll.verticalScrollBar().sizeHint().width())
+        scroll.setMinimumHeight(min(ROWS, len(lines)) * (TOUCH + GRID) + 3 * GRID)
         about = label(
             self.tr(
                 "A mass is the volume times the density of the kind. Reference fruit of which you measured volume and "
@@ -120,7 +123,7 @@ class DensitiesDialog(QDialog):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(3 * GRID, 3 * GRID, 3 * GRID, 3 * GRID)
         whole.setSpacing(2 * GRID)
-        for widget in (about, scroll, self._wrong, self._buttons):
+        for widget in (label(self.tr("Density of each kind"), "page"), about, scroll, self._wrong, self._buttons):
             whole.addWidget(widget)
 
     def _check(self) -> None:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from fruitgui.gui.health import warning_message
+from fruitgui.gui.messages import Message
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.teach import work
 from fruitgui.gui.tasks import Job, Task
+from fruitgui.gui.told import Told, Words
 from fruitgui.records.lesson import Lesson
 
 translate = QCoreApplication.translate
@@ -47,15 +50,18 @@ class Lessons(QObject):
         """Let fruit come in from the sensors that run."""
         feed, station = self._session.connected.feed, self._session.station
         if feed is not None and station is not None:
-            name = translate("Classroom", "Watching the line")
-            self._teach(name, work.watching(self._session.store, feed, station))
+            self._teach(
+                lambda: translate("Classroom", "Watching the line"), work.watching(self._session.store, feed, station)
+            )
 
     def open(self, path: Path) -> None:
         """Let the fruit of a recording come in."""
         station = self._session.station
         if station is not None:
-            name = translate("Classroom", "Watching {name}").format(name=path.name)
-            self._teach(name, work.opening(self._session.store, path, station))
+            self._teach(
+                lambda: translate("Classroom", "Watching {name}").format(name=path.name),
+                work.opening(self._session.store, path, station),
+            )
 
     def stop(self) -> None:
         """It is enough."""
@@ -75,7 +81,7 @@ class Lessons(QObject):
         elif not coming:
             self._look.stop()
 
-    def _teach(self, name: str, job: Job[Lesson]) -> None:
+    def _teach(self, name: Words, job: Job[Lesson]) -> None:
         if self._lesson is not None:
             return
         self._lesson = self._session.tasks.run(name, job)
@@ -88,14 +94,11 @@ class Lessons(QObject):
     def _learned(self, lesson: Lesson) -> None:
         messages = self._session.messages
         if lesson.fruit or not lesson.known:
-            said = translate("Classroom", "{count} fruit came in from {source}.")
-            messages.good(said.format(count=lesson.fruit, source=lesson.source))
+            messages.good(lambda: _came_in(lesson))
         else:
-            said = translate("Classroom", "All {count} fruit of {source} were here already.")
-            messages.info(said.format(count=lesson.known, source=lesson.source))
+            messages.info(lambda: _known_before(lesson))
         if lesson.warnings:
-            what = warning_message(lesson.warnings[0]).what
-            messages.warn(what, translate("Classroom", "The fruit that came in can be named all the same."))
+            messages.warn(partial(_came_all_the_same, warning_message(lesson.warnings[0])))
 
     def _ended(self) -> None:
         self._lesson = None
@@ -108,3 +111,17 @@ class Lessons(QObject):
         if self._session.running.running:
             self.stop()
         self._watch_coming()
+
+
+def _came_in(lesson: Lesson) -> Told:
+    said = translate("Classroom", "{count} fruit came in from {source}.")
+    return Told(said.format(count=lesson.fruit, source=lesson.source))
+
+
+def _known_before(lesson: Lesson) -> Told:
+    said = translate("Classroom", "All {count} fruit of {source} were here already.")
+    return Told(said.format(count=lesson.known, source=lesson.source))
+
+
+def _came_all_the_same(warning: Message) -> Told:
+    return Told(warning.what, translate("Classroom", "The fruit that came in can be named all the same."))

@@ -11,8 +11,10 @@ from PySide6.QtWidgets import QHBoxLayout, QStackedLayout, QVBoxLayout, QWidget
 
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
+from fruitgui.gui.step_words import reason_text
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.steps.teach import work
+from fruitgui.gui.steps.teach.actions import TeachActions
 from fruitgui.gui.steps.teach.advice import advice, nothing_words
 from fruitgui.gui.steps.teach.asking import Asking
 from fruitgui.gui.steps.teach.classroom import Classroom
@@ -26,8 +28,10 @@ from fruitgui.gui.steps.teach.side_panel import SidePanel
 from fruitgui.gui.steps.teach.tile import Tiles
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.told import Told
+from fruitgui.gui.ways import at_root, ways_on
 from fruitgui.gui.widgets.cards import EmptyPlace
-from fruitgui.station.workflow import Step
+from fruitgui.station.workflow import State, Step, StepState
 
 SIZE_STEP = 32
 
@@ -45,16 +49,13 @@ class TeachPage(StepPage):
         self._panel_key: int | None = None
         self._shelf = Shelf()
         self._wanted: int | None = None
-        self._make_actions()
+        self.choices = TeachActions(self)
         self.model = FruitModel(session.store.crops, self._tiles.described, self)
         self.kinds, self.grid = KindKeys(theme), FruitGrid(self.model, self._tiles, theme)
-        tools = (self.undo, self.redo, self.see_depth, self.clear, self.remove, self.weigh, self.take_labels,
-                 self.give_labels)  # fmt: skip
-        self.shelves = Shelves(theme, tools)
-        self.shelves.addActions(tools)
+        self.shelves = Shelves(theme, self.choices.tools)
+        self.shelves.addActions(self.choices.tools)
         self.panel, self.empty = SidePanel(theme), EmptyPlace(theme, "teach")
         self._lay_out()
-        self._say_words()
         self._connect()
         self._show()
         self.room.load()
@@ -74,23 +75,9 @@ class TeachPage(StepPage):
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
         if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
+            self.choices.say_words()
             self._show()
         super().changeEvent(event)
-
-    def _make_actions(self) -> None:
-        self.watch, self.open, self.stop = self._action("eye"), self._action("folder"), self._action("stop")
-        self.suggest, self.train = self._action("search"), self._action("train")
-        self.undo, self.redo, self.clear = self._action("undo"), self._action("redo"), self._action("close")
-        self.remove, self.see_depth = self._action("delete"), self._action("layers")
-        self.take_labels, self.give_labels = self._action("import"), self._action("export")
-        self.weigh = self._action("scale")
-        self.see_depth.setCheckable(True)
-
-    def _action(self, icon: str) -> QAction:
-        action = QAction(self)
-        action.setProperty("drawing", icon)
-        return action
 
     def _lay_out(self) -> None:
         middle = QWidget()
@@ -114,7 +101,7 @@ class TeachPage(StepPage):
         room.busy_changed.connect(self._show_actions)
         room.touched.connect(self._show_touched)
         session.connected.changed.connect(self._show_actions)
-        session.station_changed.connect(self._show_actions)
+        session.states_changed.connect(self._show_actions)
         session.running.changed.connect(self._show_actions)
         session.taught_wanted.connect(self._want)
         self._seen.failed.connect(session.messages.error)
@@ -125,20 +112,19 @@ class TeachPage(StepPage):
         self.shelves.resized.connect(self.grid.resize_tiles)
         self.grid.chosen_changed.connect(self._show_chosen)
         self.panel.measured.connect(room.measure)
-        self.watch.triggered.connect(room.lessons.watch)
-        self.open.triggered.connect(self._asking.recording)
-        self.stop.triggered.connect(room.lessons.stop)
-        self.suggest.triggered.connect(room.look_through)
-        self.train.triggered.connect(partial(self.step_wanted.emit, Step.TRAIN))
-        self.undo.triggered.connect(room.undo)
-        self.redo.triggered.connect(room.redo)
-        self.clear.triggered.connect(self._clear)
-        self.remove.triggered.connect(self._remove)
-        self.weigh.triggered.connect(self._ask_densities)
+        self.choices.watch.triggered.connect(room.lessons.watch)
+        self.choices.open.triggered.connect(self._asking.recording)
+        self.choices.stop.triggered.connect(room.lessons.stop)
+        self.choices.suggest.triggered.connect(room.look_through)
+        self.choices.undo.triggered.connect(room.undo)
+        self.choices.redo.triggered.connect(room.redo)
+        self.choices.clear.triggered.connect(self._clear)
+        self.choices.remove.triggered.connect(self._remove)
+        self.choices.weigh.triggered.connect(self._ask_densities)
         session.kinds.changed.connect(self._show_chosen)
-        self.see_depth.toggled.connect(self.grid.show_depth)
-        self.take_labels.triggered.connect(self._asking.labels)
-        self.give_labels.triggered.connect(self._asking.where_to_export)
+        self.choices.see_depth.toggled.connect(self.grid.show_depth)
+        self.choices.take_labels.triggered.connect(self._asking.labels)
+        self.choices.give_labels.triggered.connect(self._asking.where_to_export)
         self._connect_keys()
 
     def _connect_keys(self) -> None:
@@ -152,27 +138,6 @@ class TeachPage(StepPage):
             shortcut.activated.connect(does)
         panel = self.panel
         FieldKeys({panel.volume: panel.mass, panel.mass: self.grid, self.kinds.new: None}, self.grid, self)
-
-    def _say_words(self) -> None:
-        for action, text, tip, key in (
-            (self.watch, self.tr("Watch the line"), self.tr("Let fruit pass; nothing is counted"), "Ctrl+L"),
-            (self.open, self.tr("Open a recording"), self.tr("Let the fruit of a recording come in"), "Ctrl+O"),
-            (self.stop, self.tr("Enough"), self.tr("Stop watching; the fruit that came in stay"), "Ctrl+Return"),
-            (self.suggest, self.tr("Suggest"), self.tr("Learn from what is named so far: suggest kinds, put first what "
-             "would teach most, find likely mistakes"), "Ctrl+F"),
-            (self.train, self.tr("Train"), self.tr("Go on to training"), "Ctrl+Return"),
-            (self.undo, self.tr("Undo"), "", "Ctrl+Z"),
-            (self.redo, self.tr("Do again"), "", "Ctrl+Y"),
-            (self.see_depth, self.tr("Show depth"), "", "D"),
-            (self.clear, self.tr("Let it wait: no kind"), "", "Backspace"),
-            (self.remove, self.tr("Remove for good"), "", "Del"),
-            (self.weigh, self.tr("Density of each kind"), "", "Ctrl+D"),
-            (self.take_labels, self.tr("Read a labels file"), "", "Ctrl+Shift+O"),
-            (self.give_labels, self.tr("Write a labels file"), "", "Ctrl+Shift+S"),
-        ):  # fmt: skip
-            action.setText(text)
-            action.setToolTip(tip or text)
-            action.setShortcut(QKeySequence(key))
 
     # what is shown
 
@@ -204,7 +169,7 @@ class TeachPage(StepPage):
             if key != self._panel_key:
                 self._panel_key = key
                 self._seen.ask("fruit", work.looking_at(self._session.store, key), self._show_views)
-        for action in (self.clear, self.remove):
+        for action in (self.choices.clear, self.choices.remove):
             action.setEnabled(bool(chosen))
 
     def _show_views(self, seen: work.Seen) -> None:
@@ -219,32 +184,48 @@ class TeachPage(StepPage):
     def _show_actions(self) -> None:
         room, session = self.room, self._session
         station = session.station is not None
+        missing = self._missing()
         running = session.running.running
-        self.watch.setEnabled(
+        self.choices.watch.setEnabled(
             station and session.connected.feed is not None and not running and not room.lessons.running
         )
-        self.open.setEnabled(station and not running and not room.lessons.running)
-        self.suggest.setEnabled(room.desk.can_look_through and not room.looking)
-        self.undo.setEnabled(room.can_undo)
-        self.redo.setEnabled(room.can_redo)
-        self.weigh.setEnabled(bool(room.desk.order))
-        self.take_labels.setEnabled(bool(room.desk.fruit))
-        self.give_labels.setEnabled(any(one.kind is not None for one in room.desk.fruit.values()))
+        self.choices.open.setEnabled(station and not running and not room.lessons.running)
+        self.choices.suggest.setEnabled(room.desk.can_look_through and not room.looking)
+        self.choices.undo.setEnabled(room.can_undo)
+        self.choices.redo.setEnabled(room.can_redo)
+        self.choices.weigh.setEnabled(bool(room.desk.order))
+        self.choices.take_labels.setEnabled(bool(room.desk.fruit))
+        self.choices.give_labels.setEnabled(any(one.kind is not None for one in room.desk.fruit.values()))
         if room.lessons.running:
-            self.offer(self.stop, self.suggest)
+            self.offer(self.choices.stop, self.choices.suggest)
         else:
-            main = self._most_likely()
-            self.offer(main, *(one for one in (self.suggest, self.open, self.watch) if one is not main))
-        self.say(advice(room.desk, self._shelf, calibrated=station, running=running))
+            main = self._most_likely(missing)
+            to_sensors = (self.way_to(Step.CONNECT),) if station and session.connected.feed is None else ()
+            offered = (*to_sensors, self.choices.suggest, self.choices.open, self.choices.watch)
+            self.offer(main, *(one for one in offered if one is not main))
+        first = "" if missing is None else reason_text(missing)
+        connected = session.connected.feed is not None
+        self.say(advice(room.desk, self._shelf, first=first, running=running, connected=connected))
 
-    def _most_likely(self) -> QAction:
+    def _missing(self) -> StepState | None:
+        """Return what is to be finished before fruit can come in; None where nothing is."""
+        states = self._session.states()
+        if states[Step.TEACH].state is State.TO_DO:
+            return at_root(Step.TEACH, states)
+        return at_root(Step.BELT, states) if self._session.station is None else None
+
+    def _most_likely(self, missing: StepState | None) -> QAction:
         """Return what the person most likely wants to do next, beside naming fruit."""
         desk = self.room.desk
         if desk.done:
-            return self.train
-        if self.suggest.isEnabled() and desk.keys(Shelf()):
-            return self.suggest
-        return self.watch if self.watch.isEnabled() else self.open
+            return self.way_to(Step.TRAIN)
+        if self.choices.suggest.isEnabled() and desk.keys(Shelf()):
+            return self.choices.suggest
+        if self._session.running.running:
+            return self.way_to(Step.LIVE)
+        if missing is not None:
+            return self.way_to(next(iter(ways_on(missing)), Step.CALIBRATE))
+        return self.choices.watch if self.choices.watch.isEnabled() else self.choices.open
 
     # what is done
 
@@ -259,7 +240,7 @@ class TeachPage(StepPage):
             self.room.name(chosen, kind)
             self.grid.setFocus()
         else:
-            self._session.messages.info(self.tr("Choose a fruit first; then a key gives it its kind."))
+            self._session.messages.info(lambda: Told(self.tr("Choose a fruit first; then a key gives it its kind.")))
 
     def _look_at(self, shelf: Shelf) -> None:
         self._shelf = shelf

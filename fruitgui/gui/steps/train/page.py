@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
@@ -19,7 +17,7 @@ from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace
-from fruitgui.station.workflow import Step
+from fruitgui.station.workflow import KINDS_NEEDED, Step
 
 
 class TrainPage(StepPage):
@@ -32,7 +30,7 @@ class TrainPage(StepPage):
         self.empty = EmptyPlace(theme, "train")
         self.start, self.result = StartPanel(theme), ResultPanel(theme, session.store.crops)
         self.train, self.accept, self.discard, self.back = (QAction(self) for _ in range(4))
-        self.teach, self.go_on, self.look = (QAction(self) for _ in range(3))
+        self.look = QAction(self)
         self._shown: object = None
         self._stack = QStackedLayout()
         for one in (self.empty, self.start, self.result):
@@ -69,8 +67,6 @@ class TrainPage(StepPage):
         self.accept.triggered.connect(self.trainer.accept)
         self.discard.triggered.connect(self.trainer.discard)
         self.back.triggered.connect(self.trainer.roll_back)
-        self.teach.triggered.connect(partial(self.step_wanted.emit, Step.TEACH))
-        self.go_on.triggered.connect(partial(self.step_wanted.emit, Step.LIVE))
         self.look.triggered.connect(self._look_at_chosen)
         self.result.mistakes.wanted.connect(self._look_at)
         self.result.mistakes.chosen_changed.connect(self._show_actions)
@@ -85,8 +81,6 @@ class TrainPage(StepPage):
             (self.discard, self.tr("Keep the old"), self.tr("Put the new model away"), "delete", "Ctrl+Backspace"),
             (self.back, self.tr("Roll back"), self.tr("Go back to the model that was in use before"), "undo",
              "Ctrl+B"),
-            (self.teach, self.tr("Teach"), self.tr("Give fruit their kinds first"), "teach", "Ctrl+Return"),
-            (self.go_on, self.tr("Go live"), self.tr("Go on to the live screen"), "live", "Ctrl+Return"),
             (self.look, self.tr("Look at its label"), self.tr("Go to this fruit on the screen “Teach”"), "teach",
              "Ctrl+L"),
         ):  # fmt: skip
@@ -132,7 +126,7 @@ class TrainPage(StepPage):
     def _show_actions(self) -> None:
         trainer, session = self.trainer, self._session
         busy = trainer.busy
-        self.train.setEnabled(not busy and session.taught is not None and bool(session.taught.kinds))
+        self.train.setEnabled(not busy and self._kinds() >= KINDS_NEEDED)
         self.accept.setEnabled(not busy and session.station is not None)
         self.discard.setEnabled(not busy)
         self.back.setEnabled(not busy and len(trainer.versions) > 1)
@@ -141,17 +135,24 @@ class TrainPage(StepPage):
         self.discard.setText(self.tr("Keep the old") if had else self.tr("Put away"))
         if shown is self.result:
             mistakes = self.result.shown == "mistakes" and self.result.mistakes.chosen is not None
-            self.offer(self.accept, *((self.look,) if mistakes else ()), self.train, self.discard)
-        elif shown is self.empty:
-            self.offer(self.teach)
+            main = self.accept if session.station is not None else self.way_to(Step.CALIBRATE)
+            self.offer(main, *((self.look,) if mistakes else ()), self.train, self.discard)
+        elif shown is self.empty or (self._kinds() < KINDS_NEEDED and trainer.waiting is None):
+            self.offer(self.way_to(Step.TEACH), *((self.back,) if len(trainer.versions) > 1 else ()))
         else:
             back = (self.back,) if len(trainer.versions) > 1 else ()
             if trainer.waiting is not None:
-                self.offer(self.accept, self.train, self.discard)
+                main = self.accept if session.station is not None else self.way_to(Step.CALIBRATE)
+                self.offer(main, self.train, self.discard)
             else:
-                self.offer(*((self.go_on, *back, self.train) if self._up_to_date() else (self.train, *back)))
+                live, teach = self.way_to(Step.LIVE), self.way_to(Step.TEACH)
+                self.offer(*((live, *back, self.train) if self._up_to_date() else (self.train, *back, teach)))
         self.train.setText(self.tr("Train again") if shown is self.result or trainer.versions else self.tr("Train"))
         self.say(self._advice(shown))
+
+    def _kinds(self) -> int:
+        """Return how many kinds are taught."""
+        return 0 if self._session.taught is None else len(self._session.taught.kinds)
 
     def _up_to_date(self) -> bool:
         """Whether the model in use was trained on what is taught now."""
@@ -161,16 +162,18 @@ class TrainPage(StepPage):
     def _advice(self, shown: QWidget | None) -> str:
         if self.trainer.busy:
             return self.tr("This takes some seconds to minutes; other screens can be used meanwhile.")
+        if self._session.station is None and (shown is self.result or self.trainer.waiting is not None):
+            return self.tr("Without a calibration the model cannot be taken into use.")
         if shown is self.empty:
             return self.tr("Teach at least two kinds first.")
         if shown is self.start:
+            if self.trainer.waiting is None and self._kinds() < KINDS_NEEDED:
+                return self.tr("Teach at least two kinds first.")
             if self.trainer.waiting is not None:
                 return self.tr("A model waits since before: accept it, keep the old one, or train again to see more.")
             if self._up_to_date():
                 return self.tr("The model in use knows everything that is taught.")
             return self.tr("Press Train; nothing changes on the line until the new model is accepted.")
-        if self._session.station is None:
-            return self.tr("Without a calibration the model cannot be taken into use.")
         if self.trainer.trained is not None and self.trainer.trained.rivals is None:
             return self.tr("Look at the kinds and the mistakes, then accept the model.")
         return self.tr("Compare, then accept the new model or keep the old one.")

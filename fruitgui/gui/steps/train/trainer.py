@@ -16,6 +16,7 @@ from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.train.core_words import worded
 from fruitgui.gui.tasks import Job, Task
+from fruitgui.gui.told import Told, Words
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.models import Models, ModelVersion
 from fruitgui.records.store import Store
@@ -100,7 +101,7 @@ class Trainer(QObject):
         if self.busy:
             return
         job = training(self._session.store, self._session.workspace, self._session.station)
-        self._task = self._session.tasks.run(self.tr("Training"), job)
+        self._task = self._session.tasks.run(lambda: self.tr("Training"), job)
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self._session.messages.error)
         self._task.cancelled.connect(self._stopped)
@@ -111,15 +112,21 @@ class Trainer(QObject):
         """Take the new model into use."""
         candidate, station = self._candidate, self._session.station
         if candidate is not None and station is not None and not self.busy:
-            self._run(self.tr("Taking the model into use"), taking(self._session, candidate, station), self._accepted)
+            self._run(
+                lambda: self.tr("Taking the model into use"), taking(self._session, candidate, station), self._accepted
+            )
 
     def discard(self) -> None:
         """Keep the old one."""
         self.trained = self.waiting = None
         forget_candidate(self._folder)
         kept = self._session.station is not None and self._session.station.model is not None
-        said = self.tr("The model in use stays; the new one was put away.") if kept else self.tr("It was put away.")
-        self._session.messages.info(said)
+
+        def told() -> Told:
+            stays = self.tr("The model in use stays; the new one was put away.")
+            return Told(stays if kept else self.tr("It was put away."))
+
+        self._session.messages.info(told)
         self.load()
         self.changed.emit()
 
@@ -127,9 +134,11 @@ class Trainer(QObject):
         """Go back to the model that was in use before this one."""
         station = self._session.station
         if station is not None and not self.busy:
-            self._run(self.tr("Going back to the model before"), going_back(self._session, station), self._went_back)
+            self._run(
+                lambda: self.tr("Going back to the model before"), going_back(self._session, station), self._went_back
+            )
 
-    def _run(self, name: str, job: Job[Taken], done: Callable[[Taken], None]) -> None:
+    def _run(self, name: Words, job: Job[Taken], done: Callable[[Taken], None]) -> None:
         self._taking = self._session.tasks.run(name, job)
         self._taking.succeeded.connect(done)
         self._taking.failed.connect(self._session.messages.error)
@@ -149,7 +158,7 @@ class Trainer(QObject):
         self.trained, self.waiting = trained, None
 
     def _stopped(self) -> None:
-        self._session.messages.info(self.tr("Training was stopped; nothing was changed."))
+        self._session.messages.info(lambda: Told(self.tr("Training was stopped; nothing was changed.")))
 
     def _ended(self) -> None:
         self._task = None
@@ -158,16 +167,21 @@ class Trainer(QObject):
     def _accepted(self, taken: Taken) -> None:
         self.trained = self.waiting = None
         self._use(taken)
-        if self._session.running.running:
-            text = self.tr("The new model is in use from the next lot on.")
-        else:
-            text = self.tr("The new model is in use.")
-        back = Message(Level.INFO, text, action=self.tr("Roll back"), act=self.roll_back)
-        self._say_once_saved(back if self.versions else Message(Level.GOOD, text))
+        later, before = self._session.running.running, bool(self.versions)
+
+        def told() -> Told:
+            now, next_lot = (
+                self.tr("The new model is in use."),
+                self.tr("The new model is in use from the next lot on."),
+            )
+            return Told(next_lot if later else now, action=self.tr("Roll back") if before else "")
+
+        said = Message(Level.INFO, told, self.roll_back) if before else Message(Level.GOOD, told)
+        self._say_once_saved(said)
 
     def _went_back(self, taken: Taken) -> None:
         self._use(taken)
-        self._say_once_saved(Message(Level.GOOD, self.tr("The model before is in use again.")))
+        self._say_once_saved(Message(Level.GOOD, lambda: Told(self.tr("The model before is in use again."))))
 
     def _say_once_saved(self, said: Message) -> None:
         self._session.when_saved(partial(self._session.messages.say, said))

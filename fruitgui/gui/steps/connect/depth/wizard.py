@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from datetime import datetime
+
 from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QStackedWidget, QVBoxLayout, QWidget
@@ -10,7 +12,7 @@ from fruitgui.calibration.warmup import Warmth
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.depth.actions import WizardActions
 from fruitgui.gui.steps.connect.depth.course import Course, Stage, Typed
-from fruitgui.gui.steps.connect.depth.keeping import Keeping
+from fruitgui.gui.steps.connect.depth.keeping import corrected, keep_depth
 from fruitgui.gui.steps.connect.depth.panel import MeasurePanel
 from fruitgui.gui.steps.connect.depth.result_view import ResultView
 from fruitgui.gui.steps.connect.depth.work import Taken, Worked, taking, working_out
@@ -18,6 +20,7 @@ from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, SHOWN_RAISE_M, Showing
 from fruitgui.station.depth_watch import Aim, DepthWatch
+from fruitgui.station.depths import DeviceDepth, device_depth
 
 DRAW_MS = 100
 SHOWN = {
@@ -45,7 +48,6 @@ class DepthWizard(QWidget):
         self._course: Course | None = None
         self._watch: DepthWatch | None = None
         self._task: Task[Taken] | Task[Worked] | None = None
-        self._keeping = Keeping(session)
         self._showing: Showing | None = None
         self._ready = False
         self._stack = QStackedWidget(self)
@@ -64,7 +66,7 @@ class DepthWizard(QWidget):
     def actions_now(self) -> tuple[QAction, ...]:
         """The main action, then the others."""
         course = self._course
-        return () if course is None else self.choices.at(course, corrected=self._keeping.corrected(course.sensor))
+        return () if course is None else self.choices.at(course, corrected=corrected(self._session, course.sensor))
 
     @property
     def hint(self) -> str:
@@ -211,7 +213,7 @@ class DepthWizard(QWidget):
         if course is None or feed is None or self._task is not None or not self._ready:
             return
         task = self._session.tasks.run(
-            self.tr("Measuring depth"), taking(feed, course.sensor, bare=course.stage is Stage.BELT)
+            lambda: self.tr("Measuring depth"), taking(feed, course.sensor, bare=course.stage is Stage.BELT)
         )
         self._task = task
         task.succeeded.connect(self._took)
@@ -239,7 +241,7 @@ class DepthWizard(QWidget):
     def _work_out(self, course: Course) -> None:
         measured = course.measurements()
         if measured is not None:
-            task = self._session.tasks.run(self.tr("Working out the correction"), working_out(measured))
+            task = self._session.tasks.run(lambda: self.tr("Working out the correction"), working_out(measured))
             self._task = task
             task.succeeded.connect(self._worked)
             task.cancelled.connect(self._step_back)
@@ -281,10 +283,11 @@ class DepthWizard(QWidget):
     def _keep(self) -> None:
         course = self._course
         if course is not None and course.fit is not None:
-            self._keeping.keep(course.sensor, course.fit)
+            keep_depth(self._session, course.sensor, device_depth(course.fit, datetime.now().astimezone()))
             self.end()
 
     def _remove(self) -> None:
-        if self._course is not None:
-            self._keeping.remove(self._course.sensor)
+        course = self._course
+        if course is not None:
+            keep_depth(self._session, course.sensor, DeviceDepth())
             self.end()

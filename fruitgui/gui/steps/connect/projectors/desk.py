@@ -13,6 +13,7 @@ from fruitgui.gui.session import Session
 from fruitgui.gui.steps.connect.presenter import plan_of
 from fruitgui.gui.steps.connect.projectors.dialog import ProjectorsDialog
 from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.told import Told
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.station.projector_job import Tried, lasts_s, try_projectors
 from fruitgui.station.projectors import Projectors
@@ -67,4 +68,4 @@ class ProjectorDesk(QObject):
 
     def _keep(self, measured: Projectors) -> None:
         self._session.save_projectors(self._session.projectors.renewed(measured))
-        self._session.messages.info(self.tr("The projectors take turns by what was measured."))
+        self._session.messages.info(lambda: Told(self.tr("The projectors take turns by what was measured.")))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from fruitgui.errors import FruitguiError
@@ -180,7 +180,7 @@ class ProjectorsDialog(QDialog):
         if self.busy:
             return
         self._failure, self._stopped = None, False
-        self._task = self._tasks.run(self.tr("Measuring the projectors"), self._measure)
+        self._task = self._tasks.run(_measuring, self._measure)
         self._task.progressed.connect(self._show_progress)
         self._task.succeeded.connect(self._found)
         self._task.failed.connect(self._failed)
@@ -211,3 +211,8 @@ class ProjectorsDialog(QDialog):
         if self._tried is not None:
             self.kept.emit(self._tried.projectors)
             self.accept()
+
+
+def _measuring() -> str:
+    """Return the job's name, which may outlive the dialog."""
+    return QCoreApplication.translate("ProjectorsDialog", "Measuring the projectors")
