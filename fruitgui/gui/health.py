@@ -33,6 +33,8 @@ STAYING = ("calibration_stale", "not_kept", "fruit_not_counted")
 """Warnings that stay until a person has put them away: a lot may be wrong by them."""
 
 AWAY = ("part_blind", "sensor_away")
+AGAIN = (*AWAY, "clock_jumped")
+"""Warnings that are said each time: a sensor that goes away once more, a clock that leaps once more."""
 
 BYTES_PER_GB = 1e9
 
@@ -110,8 +112,7 @@ class HealthWatch(QObject):
             self._said.clear()
             return
         for warning in running.state.warnings:
-            # A sensor that goes away once more is said once more.
-            key = (warning.code, warning.sensors, warning.count if warning.code in AWAY else 1)
+            key = (warning.code, warning.sensors, warning.count if warning.code in AGAIN else 1)
             if key not in self._said:
                 self._said.add(key)
                 log.warning("%s %s", warning.code, warning.text)
@@ -170,8 +171,12 @@ def _not_kept() -> tuple[str, str]:
 
 def _clock_jumped() -> tuple[str, str]:
     return (
-        QCoreApplication.translate("Health", "The clock of {sensors} leapt; it is followed on from there."),
-        QCoreApplication.translate("Health", "If this comes back, unplug the sensor and plug it in again."),
+        QCoreApplication.translate(
+            "Health", "The clock of {sensors} leapt: fruit of this moment may be missing or twice."
+        ),
+        QCoreApplication.translate(
+            "Health", "It is followed on from there. If this comes back, unplug the sensor and plug it in again."
+        ),
     )
 
 

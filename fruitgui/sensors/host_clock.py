@@ -26,6 +26,9 @@ class HostClock:
     (as Moon, Skelly and Towsley, INFOCOM 1999, for packets) is the device's
     clock in the host's: what is left over is the least time that a picture
     takes. A clock that jumps is noticed, and its line begun anew.
+
+    Attributes:
+        jumps: how often it did.
     """
 
     def __init__(self) -> None:

@@ -13,7 +13,7 @@ from fruitgui.gui.session import Session
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.top_bar import TopBar
 from fruitgui.gui.translate import Language
-from fruitgui.station.live import LiveState, Phase
+from fruitgui.station.live import LiveState, LiveWarning, Phase
 from fruitgui.station.live.blind import Blind
 
 LEFT = Blind(("kinect_1",), ((0.41, 0.65),), 0.65, 0.3)
@@ -78,3 +78,19 @@ def test_what_holds_and_the_pills_take_over_another_language_at_once(
     assert spanish is not None
     assert english.what != spanish.what
     assert session.messages.standing == english
+
+
+def test_a_clock_is_said_to_leap_each_time(
+    qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bar = TopBar(theme)
+    qtbot.addWidget(bar)
+    watch = HealthWatch(session, bar, bar)
+    ticked, running = session.running.ticked, Running(LiveState(Phase.RUNNING))
+    monkeypatch.setattr(session, "running", running)
+    for count in (1, 1, 2):
+        running.state = LiveState(Phase.RUNNING, warnings=(LiveWarning("clock_jumped", "", ("kinect_1",), count),))
+        ticked.emit()
+    said = [one.what for one in session.messages.history]
+    assert said == 2 * ["The clock of kinect_1 leapt: fruit of this moment may be missing or twice."]
+    watch.stop()

@@ -120,6 +120,7 @@ class Reader:
             frames=self._pulse.frames,
             drops=self._pulse.drops,
             damaged=self._pulse.damaged,
+            clock_leaps=self._pulse.clock_leaps,
             age_s=None if newest_s is None else now_s - newest_s,
             reopened=max(self._tried - 1, 0),
             hangs=self._sensor.hangs,
@@ -180,7 +181,7 @@ class Reader:
                 heard = self._take() or heard
                 self._judge_silence(heard)
             elif order is Order.ON:
-                self._pulse.begin()
+                self._pulse.begin_turn()
             else:
                 self._patience.rest(time.monotonic())
                 self._listen()
@@ -196,6 +197,7 @@ class Reader:
         self._patience.rest(now_s)  # whoever makes this thread wait for room has the sensor owe nothing
         self._state, self._error = Running.RUNNING, None
         self._pulse.number(frame.sequence)
+        self._pulse.leap(frame.clock_leaps)
         if frame.damaged:
             self._pulse.damaged += 1
         elif lit is not None and (lit.settled or lit.rehearsed):

@@ -39,6 +39,7 @@ class SensorWatch:
         self._looked_s = 0.0
         self._away: tuple[str, ...] = ()
         self._blinded: dict[str, tuple[str, ...]] = {}
+        self._leaps: dict[str, int] = {}
         self.blind: Blind | None = None
 
     def look(self, health: Callable[[str], SensorHealth], now_s: float) -> None:
@@ -50,6 +51,7 @@ class SensorWatch:
         self._see_away(tuple(name for name, one in seen.items() if self._is_away(one)))
         for name, one in seen.items():
             self._see_blinded(name, one)
+            self._see_leaps(name, one)
 
     def _is_away(self, health: SensorHealth) -> bool:
         if Running.SILENT in self._counts_as_away:
@@ -81,3 +83,10 @@ class SensorWatch:
             text += "may have holes, and sizes may be wrong. Unplug it; it is opened again when it returns."
             self._warn("may_be_blinded", text, (name, *by))
         self._blinded[name] = by
+
+    def _see_leaps(self, name: str, health: SensorHealth) -> None:
+        """Say each leap of a device's clock; those before the line began are nothing to it."""
+        for _ in range(health.clock_leaps - self._leaps.get(name, health.clock_leaps)):
+            text = f"The clock of sensor {name} leapt; its times go on by this computer's clock."
+            self._warn("clock_jumped", text, (name,))
+        self._leaps[name] = health.clock_leaps

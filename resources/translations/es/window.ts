@@ -113,14 +113,6 @@
         <translation>Haga espacio en el disco. El conteo sigue, y lo que espera se guarda entonces.</translation>
     </message>
     <message>
-        <source>The clock of {sensors} leapt; it is followed on from there.</source>
-        <translation>El reloj de {sensors} saltó; se sigue desde ahí.</translation>
-    </message>
-    <message>
-        <source>If this comes back, unplug the sensor and plug it in again.</source>
-        <translation>Si se repite, desenchufe el sensor y enchúfelo de nuevo.</translation>
-    </message>
-    <message>
         <source>The clock of {sensors} was off and was put right, judged by the fruit.</source>
         <translation>El reloj de {sensors} estaba desfasado y se corrigió según la fruta.</translation>
     </message>
@@ -135,6 +127,14 @@
     <message>
         <source>Connect the sensors that were calibrated, or calibrate again.</source>
         <translation>Conecte los sensores que se calibraron, o calibre de nuevo.</translation>
+    </message>
+    <message>
+        <source>The clock of {sensors} leapt: fruit of this moment may be missing or twice.</source>
+        <translation>El reloj de {sensors} saltó: puede faltar fruta de este momento o estar dos veces.</translation>
+    </message>
+    <message>
+        <source>It is followed on from there. If this comes back, unplug the sensor and plug it in again.</source>
+        <translation>Se sigue desde ahí. Si se repite, desenchufe el sensor y enchúfelo de nuevo.</translation>
     </message>
     <message>
         <source>No fruit was counted before; nothing is to be done.</source>

@@ -6,9 +6,11 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 
 import pytest
 
+from fruitgui.frame import Frame
 from fruitgui.sensors.feed import ByCapture, DropOldest, Feed, Running, WaitForRoom
 from fruitgui.sensors.sensor import Sensor
 from tests.unit.sensors.scripted import Hang, ScriptedSensor, gone, small_frame, until
@@ -241,3 +243,18 @@ def test_starting_and_stopping_many_times_leaves_nothing() -> None:
             until(lambda feed=feed: feed.health("left").frames > 0)
             left.end()
     assert threading.active_count() == before
+
+
+def test_leaps_of_a_clock_are_counted_on_when_it_is_opened_again() -> None:
+    left = ScriptedSensor("left")
+
+    def leapt(sequence: int, leaps: int) -> Frame:
+        return replace(small_frame("left", sequence), clock_leaps=leaps)
+
+    with running(left) as feed:
+        left.give(leapt(0, 0), leapt(1, 1), leapt(2, 1), replace(leapt(3, 2), damaged=True))
+        until(lambda: feed.health("left").damaged == 1)
+        assert feed.health("left").clock_leaps == 2
+        left.give(gone("left"), leapt(0, 0), leapt(1, 1))
+        until(lambda: feed.health("left").frames == 5)
+        assert feed.health("left").clock_leaps == 3

@@ -22,6 +22,7 @@ class Watched:
         self.said: list[tuple[str, tuple[str, ...]]] = []
         self.state = dict.fromkeys(LEFT_RIGHT, Running.RUNNING)
         self.error: dict[str, FruitguiError] = {}
+        self.leaps = dict.fromkeys(LEFT_RIGHT, 0)
         self.watch = SensorWatch(
             {name: name for name in LEFT_RIGHT},
             above,
@@ -32,7 +33,10 @@ class Watched:
 
     def look(self) -> None:
         self._now_s += LOOK_S
-        self.watch.look(lambda name: SensorHealth(name, self.state[name], self.error.get(name)), self._now_s)
+        self.watch.look(
+            lambda name: SensorHealth(name, self.state[name], self.error.get(name), clock_leaps=self.leaps[name]),
+            self._now_s,
+        )
 
     def look_for(self, span_s: float) -> None:
         until_s = self._now_s + span_s
@@ -75,3 +79,14 @@ def test_one_that_goes_away_again_or_while_another_is_away_is_said_anew() -> Non
     watched.state["right"] = Running.SILENT
     watched.look()
     assert [sorted(sensors) for _, sensors in watched.said] == [["right"], ["left", "right"], ["right"]]
+
+
+def test_each_leap_of_a_clock_is_said_but_none_of_before_the_line() -> None:
+    watched = Watched()
+    watched.leaps["right"] = 4
+    watched.look_for(1.0)
+    assert watched.said == []
+    watched.leaps["left"] += 1
+    watched.leaps["right"] += 2
+    watched.look_for(1.0)
+    assert sorted(watched.said) == [("clock_jumped", (name,)) for name in ("left", "right", "right")]
