@@ -8,7 +8,8 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from fruitgui.gui.health import HealthWatch, disk_pill
+from fruitgui.gui.health import HealthWatch
+from fruitgui.gui.pills import disk_pill
 from fruitgui.gui.session import Session
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.top_bar import TopBar
@@ -45,6 +46,10 @@ def test_what_is_blind_stands_until_it_is_seen_again(
     assert session.messages.standing is None
     running.state = LiveState(Phase.RUNNING, blind=LEFT)
     watch.look()
+    running.state = LiveState(Phase.RUNNING, sparse=LEFT)
+    watch.look()
+    assert session.messages.standing is not None
+    assert "too few pictures" in session.messages.standing.what
     running.running = False
     watch.look()
     assert session.messages.standing is None, "no line, nothing that it does not see"

@@ -53,6 +53,7 @@ class SensorHealth:
         clock_leaps: how often the device's clock leapt; its frames' times went on by the host's.
         age_s: of the newest frame; None before the first.
         reopened: how often it was opened again.
+        useless: pictures come, but none of use for as long as one without any would be silent.
         hangs: its driver does not come back from a call.
         blinded_by: sensors whose driver hangs while their projectors may be on, in what should be this one's turn.
         color_lock: whether exposure and white balance stay as they are.
@@ -70,6 +71,7 @@ class SensorHealth:
     clock_leaps: int = 0
     age_s: float | None = None
     reopened: int = 0
+    useless: bool = False
     hangs: bool = False
     blinded_by: tuple[str, ...] = ()
     color_lock: ColorLock = ColorLock.UNKNOWN

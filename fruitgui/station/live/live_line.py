@@ -22,6 +22,7 @@ from fruitgui.station.live.intake import LIVE, ClockWatch, Intake
 from fruitgui.station.live.perceiving import Perceived, Perceiving
 from fruitgui.station.live.sensor_watch import SensorWatch
 from fruitgui.station.live.showing import Showing
+from fruitgui.station.live.sparse import SparseWatch
 from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
 from fruitgui.station.live.warnings import Warnings
 from fruitgui.station.model import Model
@@ -84,6 +85,7 @@ class LiveLine:
         self._first_look = FirstLook(self._following)
         self._put_right: set[str] = set()
         self._sensors = SensorWatch(self._lineup.station_id, self._following.above, intake.away, self._warnings.add)
+        self._sparse = SparseWatch(self._lineup.rig.mounts, self._following.above, self._warnings.add)
         self._counting = Counting(self._lineup.rig, hands.worker(), self._bench, sink, teacher, self._warnings.add)
         self._perceived: queue.Queue[Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
         self._parted: queue.Queue[Leaving | None] = queue.Queue(FRUIT_AHEAD)
@@ -132,7 +134,7 @@ class LiveLine:
     @property
     def state(self) -> LiveState:
         """How the line is: what is in view as of the last observation, everything else as of now."""
-        subscription = self._subscription
+        subscription, blind = self._subscription, self._sensors.blind
         return replace(
             self._showing.drawn,
             phase=self._phase,
@@ -146,7 +148,8 @@ class LiveLine:
             waiting_fruit=self._first_look.held + self._parted.qsize() + self._counting.sink_state.waiting,
             dropped=subscription.dropped if subscription else {},
             skipped=self._skipped,
-            blind=self._sensors.blind,
+            blind=blind,
+            sparse=self._sparse.now(() if blind is None else blind.sensors),
             sink=self._counting.sink_state,
             warnings=self.warnings,
         )
@@ -177,8 +180,15 @@ class LiveLine:
             self._perceived.put(None)
 
     def _watch_sensors(self) -> None:
+        self._watch(lambda: self._sensors.look(self._feed.health, time.monotonic()))
+
+    def _watch_often(self, name: str, time_s: float) -> None:
+        velocity_m_s, absences = self._following.velocity_m_s, self._sensors.absences
+        self._watch(lambda: self._sparse.see(name, time_s, velocity_m_s, absences))
+
+    def _watch(self, look: Callable[[], None]) -> None:
         try:
-            self._sensors.look(self._feed.health, time.monotonic())
+            look()
         except Exception as error:  # noqa: BLE001 - the line goes on without; it is said
             self._warnings.add("not_watched", f"Whether every sensor gives pictures is not known: {error}", ())
 
@@ -231,6 +241,7 @@ class LiveLine:
             return leaving
         self._frames += 1
         self._latencies.append(time.monotonic() - perceived.arrival.arrived_s)
+        self._watch_often(observation.sensor, perceived.look.time_s)
         self._look_on(leaving, (sensor,), partial(self._showing.show, perceived.arrival, observation))
         return leaving
 

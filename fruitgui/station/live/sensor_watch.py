@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Collection, Mapping
 
 from fruitgui.sensors.feed import Running, SensorHealth
@@ -23,6 +24,7 @@ class SensorWatch:
 
     Attributes:
         blind: what is not seen now; None while every sensor is there.
+        absences: how often each sensor was away so far.
     """
 
     def __init__(
@@ -41,6 +43,7 @@ class SensorWatch:
         self._blinded: dict[str, tuple[str, ...]] = {}
         self._leaps: dict[str, int] = {}
         self.blind: Blind | None = None
+        self.absences: Counter[str] = Counter()
 
     def look(self, health: Callable[[str], SensorHealth], now_s: float) -> None:
         """Look at the health of each sensor, if the last look was a while ago."""
@@ -55,12 +58,13 @@ class SensorWatch:
 
     def _is_away(self, health: SensorHealth) -> bool:
         if Running.SILENT in self._counts_as_away:
-            return health.state in self._counts_as_away or health.hangs
+            return health.state in self._counts_as_away or health.hangs or health.useless
         # One that is opened again after a long silence has failed by silence, which tells nothing.
         return health.state in self._counts_as_away and not isinstance(health.error, SensorTimeoutError)
 
     def _see_away(self, away: tuple[str, ...]) -> None:
         before, self._away = self._away, away
+        self.absences.update(set(away) - set(before))
         self.blind = self._blind(away)
         if self.blind is not None and not set(away) <= set(before):
             code = "part_blind" if self.blind.loses_fruit else "sensor_away"

@@ -570,6 +570,14 @@
         <translation>durante {time} ({count}×, {sensors}) los tamaños son menos seguros</translation>
     </message>
     <message>
+        <source>for {time} ({count}×, {sensors}) few pictures came, fruit may be missing</source>
+        <translation>durante {time} ({count}×, {sensors}) llegaron pocas imágenes, puede faltar fruta</translation>
+    </message>
+    <message>
+        <source>for {time} ({count}×, {sensors}) few pictures came, sizes are less sure</source>
+        <translation>durante {time} ({count}×, {sensors}) llegaron pocas imágenes, los tamaños son menos seguros</translation>
+    </message>
+    <message>
         <source>Moved since calibrated, from {time} on ({sensors}): sizes and counts may be wrong</source>
         <translation>Movido desde la calibración, a partir de las {time} ({sensors}): tamaños y recuentos pueden estar mal</translation>
     </message>

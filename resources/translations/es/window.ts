@@ -70,6 +70,18 @@
         <translation>Falta {sensors}: ningún sensor ve {lanes}</translation>
     </message>
     <message>
+        <source>{sensors}: too few pictures at this speed; another sensor sees every part of the belt</source>
+        <translation>{sensors}: pocas imágenes para esta velocidad; otro sensor ve cada parte de la cinta</translation>
+    </message>
+    <message>
+        <source>{sensors}: too few pictures at this speed; no other sensor sees {share} of the belt</source>
+        <translation>{sensors}: pocas imágenes para esta velocidad; ningún otro sensor ve el {share} de la cinta</translation>
+    </message>
+    <message>
+        <source>{sensors}: too few pictures at this speed; no other sensor sees {lanes}</source>
+        <translation>{sensors}: pocas imágenes para esta velocidad; ningún otro sensor ve {lanes}</translation>
+    </message>
+    <message>
         <source>any of the belt</source>
         <translation>nada de la cinta</translation>
     </message>
@@ -92,6 +104,14 @@
     <message>
         <source>Sizes are less sure meanwhile. Check cable and power; it starts again by itself.</source>
         <translation>Mientras tanto los tamaños son menos seguros. Revise cable y corriente; vuelve a arrancar solo.</translation>
+    </message>
+    <message>
+        <source>Fruit there may be missed. Slow the belt down; step 1 says why pictures are lost.</source>
+        <translation>Ahí puede perderse fruta. Baje la velocidad de la cinta; el paso 1 dice por qué se pierden imágenes.</translation>
+    </message>
+    <message>
+        <source>Sizes are less sure meanwhile. Slow the belt down; step 1 says why pictures are lost.</source>
+        <translation>Mientras tanto los tamaños son menos seguros. Baje la velocidad de la cinta; el paso 1 dice por qué se pierden imágenes.</translation>
     </message>
 </context>
 <context>
@@ -163,6 +183,14 @@
     <message>
         <source>Fruit that only it sees were not counted. Check cable and power.</source>
         <translation>Las frutas que solo él ve no se contaron. Revise cable y corriente.</translation>
+    </message>
+    <message>
+        <source>Too few pictures came from {sensors} for a while.</source>
+        <translation>Durante un rato llegaron pocas imágenes de {sensors}.</translation>
+    </message>
+    <message>
+        <source>Fruit that only it sees may be missing. Step 1 says why pictures are lost.</source>
+        <translation>Puede faltar fruta que solo ve ese sensor. El paso 1 dice por qué se pierden imágenes.</translation>
     </message>
     <message>
         <source>A driver hangs, and a projector may be on out of its turn: {sensors}.</source>

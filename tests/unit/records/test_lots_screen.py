@@ -216,9 +216,12 @@ def test_a_lot_as_csv_says_which_sensors_were_away_for_which_fruit_and_for_how_l
     clock.now_s += 60.0
     store.spells.note(lot.key, Blind(("kinect_2",), ((0.4, 0.6),), 0.6, 0.3))
     one_passes(1)
-    clock.now_s += 30.0
+    clock.now_s += 10.0
+    store.spells.note(lot.key, Blind(("kinect_3",), None, None, 0.2), "sparse")
+    clock.now_s += 20.0
     store.spells.note(lot.key, Blind(("kinect_1",), (), 0.6, 0.0))
     one_passes(2)
+    store.spells.note(lot.key, None, "sparse")
     clock.now_s += 0.5 * _in_view_s(3)
     store.spells.note(lot.key, None)
     clock.now_s += 0.25 * _in_view_s(3)
@@ -232,7 +235,8 @@ def test_a_lot_as_csv_says_which_sensors_were_away_for_which_fruit_and_for_how_l
     assert write_lot(store, lot.key, path, now_s=clock.now_s) == 6
     rows = list(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
     assert [row["sensors_away"] for row in rows] == ["", "kinect_2", "kinect_1", "kinect_1", "", ""]
-    assert {row["lot_unseen_s"] for row in rows} == {"95"}
+    assert [row["sensors_sparse"] for row in rows] == ["", "", "kinect_3", "kinect_3", "", ""]
+    assert {row["lot_unseen_s"] for row in rows} == {"155"}, "what two had in common counts once"
 
 
 def _in_view_s(number: int) -> float:

@@ -23,6 +23,7 @@ class Watched:
         self.state = dict.fromkeys(LEFT_RIGHT, Running.RUNNING)
         self.error: dict[str, FruitguiError] = {}
         self.leaps = dict.fromkeys(LEFT_RIGHT, 0)
+        self.useless: set[str] = set()
         self.watch = SensorWatch(
             {name: name for name in LEFT_RIGHT},
             above,
@@ -33,9 +34,11 @@ class Watched:
 
     def look(self) -> None:
         self._now_s += LOOK_S
-        self.watch.look(
-            lambda name: SensorHealth(name, self.state[name], self.error.get(name), clock_leaps=self.leaps[name]),
-            self._now_s,
+        self.watch.look(self._health, self._now_s)
+
+    def _health(self, name: str) -> SensorHealth:
+        return SensorHealth(
+            name, self.state[name], self.error.get(name), clock_leaps=self.leaps[name], useless=name in self.useless
         )
 
     def look_for(self, span_s: float) -> None:
@@ -90,3 +93,16 @@ def test_each_leap_of_a_clock_is_said_but_none_of_before_the_line() -> None:
     watched.leaps["right"] += 2
     watched.look_for(1.0)
     assert sorted(watched.said) == [("clock_jumped", (name,)) for name in ("left", "right", "right")]
+
+
+def test_one_whose_pictures_are_all_of_no_use_is_away_and_absences_are_counted() -> None:
+    watched = Watched()
+    for _ in range(2):
+        watched.useless = {"left"}
+        watched.look_for(1.0)
+        assert watched.watch.blind is not None
+        watched.useless = set()
+        watched.look()
+        assert watched.watch.blind is None
+    assert [code for code, _ in watched.said] == 2 * ["part_blind"]
+    assert watched.watch.absences == {"left": 2}
