@@ -15,6 +15,7 @@ from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress,
 from fruitgui.records.fruit_record import FruitRecord
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot
+from fruitgui.records.lot_sensors import serials_of
 from fruitgui.records.spells import SPELL_SORTS, SpellSort
 from fruitgui.records.store import Store
 from fruitgui.station.report import G_PER_KG, ML_PER_M3, MM_PER_M
@@ -24,14 +25,15 @@ HEADER = (
     "volume_ml", "volume_std_ml", "mass_g", "mass_std_g", "length_mm", "length_std_mm",
     "diameter_mm", "diameter_std_mm", "perimeter_mm", "perimeter_std_mm",
     "views", "coverage", "recipe", "size_band", "outlet", "counted_at_utc", "first_seen_s", "last_seen_s",
-    "sensors_away", "sensors_sparse", "lot_unseen_s",
+    "sensors_away", "sensors_sparse", "lot_unseen_s", "lot_sensors",
 )  # fmt: skip
 """`kind` is what holds, `machine_kind` what the machine said (empty where a person added the fruit); `counted` is 1 or
 0 (left out by a person); what was not measured is empty; `_std_` is one standard deviation; `size_band` and
 `outlet` are empty where a lot sorts nothing; `first_seen_s` and `last_seen_s` are in the reference sensor's clock;
 `sensors_away` names those that gave nothing while the fruit passed, up to when it was counted, `sensors_sparse` those
 that gave too few pictures for the belt's speed; `lot_unseen_s` is for how long fruit of this lot may have passed
-unseen, or too seldom seen to be counted."""
+unseen, or too seldom seen to be counted; `lot_sensors` tells which device each sensor of the lot was: name=serial,
+or the name alone where it has none."""
 
 TOLD_EVERY = 2_000
 
@@ -53,6 +55,7 @@ def write_lot(
     """
     of = store.lots.get(lot)
     unseen_s = _unseen_s(of, time.time() if now_s is None else now_s)
+    sensors = " ".join(f"{name}={serial}" if serial else name for name, serial in serials_of(store, lot).items())
     found = sum(store.fruit.find(FruitQuery(lot, which=which, count=0)).found for which in ("counted", "left_out"))
     written = 0
     with written_whole(path) as beside, beside.open("w", encoding="utf-8", newline="") as out:
@@ -60,7 +63,7 @@ def write_lot(
         writer.writerow(HEADER)
         for fruit in store.fruit.walk(lot):
             missed = (" ".join(_missed(of, fruit, sort)) for sort in SPELL_SORTS)
-            writer.writerow([*_row(of, fruit), *missed, _digits(unseen_s, 1)])
+            writer.writerow([*_row(of, fruit), *missed, _digits(unseen_s, 1), sensors])
             written += 1
             if written % TOLD_EVERY == 0:
                 stop_if(cancelled)

@@ -432,6 +432,10 @@
         <translation>Las masas son sumas {of}, de densidad conocida.</translation>
     </message>
     <message>
+        <source>Sensors, with the serials of the devices: {sensors}.</source>
+        <translation>Sensores, con la serie de cada equipo: {sensors}.</translation>
+    </message>
+    <message>
         <source>How the fruit are spread</source>
         <translation>Cómo se reparte la fruta</translation>
     </message>
