@@ -109,7 +109,8 @@ def _run(usb: Emulation, seconds: float, seed: int, store: Store) -> Outcome:
     feed, sink = Feed(source.connect().sensors), SeenSink(store)
     lot = store.lots.start(LotPlan("Shift")).key
     line = LiveLine(feed, belt.station(feed.sensors, SERIALS), None, BufferedSink(sink), lot, LIVE)
-    player = Player(usb, belt.Belt(seed), [fault for one in happening for fault in one.faults], HOLD_MS, seed)
+    scene = belt.Belt(seed, lambda kinect, time_s: not any(one.troubles(kinect, time_s) for one in happening))
+    player = Player(usb, scene, [fault for one in happening for fault in one.faults], HOLD_MS, seed)
     player.start()
     line.start()
     feed.start()
@@ -129,7 +130,7 @@ def _run(usb: Emulation, seconds: float, seed: int, store: Store) -> Outcome:
     return Outcome(
         ended_s,
         time.real_s() - real_s,
-        counted(sink.seen, player.began_s, (began_s - player.began_s, ended_s), seed),
+        counted(sink.seen, player.began_s, (began_s - player.began_s, ended_s), seed, scene.pictured),
         len(sink.seen),
         sum(one.fruit for one in store.lots.totals(lot)),
         tuple(happening),
