@@ -22,6 +22,8 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.spells import Spell
 from fruitgui.simulation.scenes import still_scene
+from fruitgui.station.live.blind import Blind
+from fruitgui.station.live.sparse import SparseWatch
 from fruitgui.station.projectors import MeasuredSettling, Projectors
 from fruitgui.station.sources import Connected, DeviceId, DevicesSource, Make, RecordedSource, Sources
 from fruitgui.station.station import Station, StationSensor
@@ -252,6 +254,27 @@ def test_a_silent_sensor_is_said_with_its_remedy(
     rig.sensors[1].silent.clear()
     qtbot.waitUntil(lambda: page.views()[1].condition.health == "good", timeout=10_000)
     assert page.calibrate_action.isEnabled()
+
+
+def test_a_lot_remembers_when_pictures_were_too_few_and_nothing_of_a_pause(
+    qtbot: QtBot, rigged: Session, page: ConnectPage, rendered: FrozenSource, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _start_lot(qtbot, rigged, page, rendered)
+    lot, sparse = rigged.running.lot, Blind(("kinect_1",), (), 0.65, 0.0)
+    assert lot is not None
+
+    def spells() -> list[tuple[Blind, bool]]:
+        found = rigged.store.lots.get(lot.key).spells
+        return [(one.blind, one.to_s is not None) for one in found if one.sort == "sparse"]
+
+    monkeypatch.setattr(SparseWatch, "now", lambda *_: sparse)
+    qtbot.waitUntil(lambda: spells() == [(sparse, False)], timeout=20_000)
+    rigged.running.pause()
+    qtbot.waitUntil(lambda: spells() == [(sparse, True)], timeout=20_000)
+    rigged.running.resume()
+    qtbot.waitUntil(lambda: spells() == [(sparse, True), (sparse, False)], timeout=20_000)
+    monkeypatch.setattr(SparseWatch, "now", lambda *_: None)
+    qtbot.waitUntil(lambda: spells() == [(sparse, True), (sparse, True)], timeout=20_000)
 
 
 def test_while_a_lot_runs_no_sensor_is_changed(
