@@ -53,7 +53,7 @@ class SensorHealth:
         clock_leaps: how often the device's clock leapt; its frames' times went on by the host's.
         age_s: of the newest frame; None before the first.
         reopened: how often it was opened again.
-        useless: pictures come, but none of use for as long as one without any would be silent.
+        useless: pictures come, but all damaged, for as long as one without any would be silent.
         hangs: its driver does not come back from a call.
         blinded_by: sensors whose driver hangs while their projectors may be on, in what should be this one's turn.
         color_lock: whether exposure and white balance stay as they are.

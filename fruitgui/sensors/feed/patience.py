@@ -12,7 +12,7 @@ class _Owed:
     Attributes:
         before_s: how long frames were owed before it last went dark.
         since_s: since when they are owed now; None where none are.
-        useless_s: how long frames were owed, before the last one came, since one was of use.
+        useless_s: how long frames were owed until the last one came, since one was of use.
     """
 
     before_s: float = 0.0

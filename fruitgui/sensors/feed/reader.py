@@ -194,15 +194,14 @@ class Reader:
         except SensorTimeoutError:
             return False
         now_s, lit = time.monotonic(), self._seat.light()
-        of_use = not frame.damaged and lit is not None and (lit.settled or lit.rehearsed)
-        self._patience.hear(now_s, of_use=of_use)
+        self._patience.hear(now_s, of_use=not frame.damaged)  # one in light that settles is what is to come then
         self._patience.rest(now_s)  # whoever makes this thread wait for room has the sensor owe nothing
         self._state, self._error = Running.RUNNING, None
         self._pulse.number(frame.sequence)
         self._pulse.leap(frame.clock_leaps)
         if frame.damaged:
             self._pulse.damaged += 1
-        elif lit is not None and of_use:
+        elif lit is not None and (lit.settled or lit.rehearsed):
             self._seat.keep()
             if not lit.rehearsed:
                 self._pulse.beat(now_s)
