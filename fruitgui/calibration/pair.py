@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import inf
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from fruitgui.calibration.held import Held, held
 from fruitgui.calibration.ready import Ready
 from fruitgui.calibration.relief import Relief
 from fruitgui.calibration.result import Code, PairQuality
+from fruitgui.calibration.scale import Scale, scale_between
 from fruitgui.frame import F64
 
 QUICK_M = (0.03, 0.03, 0.03, 0.02, 0.015, 0.012)
@@ -231,10 +233,11 @@ def _refused(
 def _quality(source: Ready, target: Ready, ranked: list[tuple[Hypothesis, Shift]], *, accepted: bool) -> PairQuality:
     sensors = (source.relief.sensor, target.relief.sensor)
     if not ranked:
-        return PairQuality(sensors, False, 0, 0.0, 0.0, 0.0, 1.0, 0.0)
+        return PairQuality(sensors, False, 0, 0.0, 0.0, 0.0, 1.0, inf, 0.0)
     best = ranked[0][0]
     matched = best.fit.matched
     residual = float(np.sqrt(np.average(matched.residual_m**2, weights=matched.weight)))
+    scale = _scale(source.relief, target.relief, best.shift)
     return PairQuality(
         sensors=sensors,
         accepted=accepted,
@@ -242,7 +245,8 @@ def _quality(source: Ready, target: Ready, ranked: list[tuple[Hypothesis, Shift]
         overlap=overlap(source.relief, target, best.shift),
         residual_m=residual,
         held_out_m=fine.held_out_m(source.relief, best.fit),
-        scale=_scale(source.relief, target.relief, best.shift),
+        scale=scale.value,
+        scale_std=scale.std,
         margin=_margin(ranked),
     )
 
@@ -256,16 +260,11 @@ def overlap(source: Relief, target: Ready, shift: Shift) -> float:
     return float((verdict != 0).mean())
 
 
-def _scale(source: Relief, target: Relief, shift: Shift) -> float:
+def _scale(source: Relief, target: Relief, shift: Shift) -> Scale:
     """Return how much farther apart matched tops are in the target than in the source."""
     if not (len(source.peaks_m) and len(target.peaks_m)):
-        return 1.0
+        return Scale()
     mapped = shift.apply(source.peaks_m)[:, :2]
     gaps = np.linalg.norm(mapped[:, None] - target.peaks_m[None, :, :2], axis=2)
-    near = gaps.argmin(axis=1)
     met = gaps.min(axis=1) < 0.015
-    if met.sum() < 4:
-        return 1.0
-    a, b = mapped[met], target.peaks_m[near[met], :2]
-    a, b = a - a.mean(axis=0), b - b.mean(axis=0)
-    return float((a * b).sum() / (a * a).sum())
+    return scale_between(mapped[met], target.peaks_m[gaps.argmin(axis=1)[met], :2])

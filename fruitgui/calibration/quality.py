@@ -10,13 +10,13 @@ import numpy as np
 from fruitgui.calibration.pair import Registration
 from fruitgui.calibration.relief import Relief
 from fruitgui.calibration.result import SensorQuality, mean_std_m
+from fruitgui.calibration.scale import Scale
 from fruitgui.calibration.still import Still
 from fruitgui.calibration.surface import Belt
 from fruitgui.geometry.rig import Rig
 
 GOOD_POSITION_STD_M = 0.001
 GOOD_ANGLE_STD_RAD = float(np.radians(0.05))
-SCALE_DOUBT = 0.01
 
 
 def surface_quality(still: Still, belt: Belt, word: Literal["good", "usable", "unlinked"]) -> SensorQuality:
@@ -76,12 +76,8 @@ def belt_warnings(
     """Return what a person should look at: unsure belts, devices whose depth scales differ, poses less sure."""
     texts = [text for relief in reliefs.values() for text in relief.belt.warnings]
     for pair in used:
-        scale = pair.quality.scale
-        if abs(scale - 1.0) > SCALE_DOUBT:
-            texts.append(
-                f"Distances seen by {pair.target} are {100 * (scale - 1):+.1f} % longer than by {pair.source}: "
-                "one of them has a depth scale error; correct it against something of known height."
-            )
+        if Scale(pair.quality.scale, pair.quality.scale_std).doubtful:
+            texts.append(_scales_differ(pair))
     for sensor, one in quality.items():
         if one.word == "usable":
             texts.append(
@@ -89,3 +85,12 @@ def belt_warnings(
                 "more fruit in the common view would make it better."
             )
     return tuple(texts)
+
+
+def _scales_differ(pair: Registration) -> str:
+    ratio = pair.quality.scale
+    longer, shorter = (pair.target, pair.source) if ratio > 1.0 else (pair.source, pair.target)
+    return (
+        f"Distances seen by {longer} are {100 * (max(ratio, 1 / ratio) - 1):.1f} % longer than by {shorter}: "
+        "one of them has a depth scale error; correct it against something of known height."
+    )

@@ -87,6 +87,7 @@ class PairQuality:
         residual_m: rms distance of matched surfaces.
         held_out_m: rms over things of how far each lies off when the others decide.
         scale: how much longer distances between things are in the target than in the source; 1 where devices agree.
+        scale_std: its standard deviation; infinite where nothing tells.
         margin: how far the best fit leads the next different one (log evidence).
     """
 
@@ -97,6 +98,7 @@ class PairQuality:
     residual_m: float
     held_out_m: float
     scale: float
+    scale_std: float
     margin: float
 
 

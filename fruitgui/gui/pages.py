@@ -79,7 +79,8 @@ class Pages(Mapping[Step, StepPage]):
 class PageMaking(QObject):
     """Makes every screen once a window has been painted, so that none is waited for when it is first gone to.
 
-    Modules are loaded beside the window; screens are made on its thread, one at a time.
+    Modules are loaded beside the window; screens are made on its thread, one at a time, once that is done: meanwhile
+    they would wait for Python's lock.
 
     Args:
         window: that is to be painted first.
@@ -96,7 +97,6 @@ class PageMaking(QObject):
         make_classes()
         self._make = make
         self._wanted = list(Step)
-        self._loaded: set[Step] = set()
         self._stopped = threading.Event()
         self._thread = threading.Thread(target=self._load, name="loading screens")
         self._between = QTimer(self, interval=BETWEEN_MS)
@@ -132,11 +132,10 @@ class PageMaking(QObject):
         for step in Step:
             if not self._stopped.is_set():
                 page_maker(step)
-                self._loaded.add(step)
 
     def _make_next(self) -> None:
         if not self._wanted:
             self._between.stop()
             self.done.emit()
-        elif self._wanted[0] in self._loaded:
+        elif not self._thread.is_alive():
             self._make(self._wanted.pop(0))

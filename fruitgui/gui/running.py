@@ -30,7 +30,7 @@ from fruitgui.station.noted import NotedSink
 T = TypeVar("T")
 
 TICK_MS = 100
-CLOSE_S = 8.0
+CLOSE_S = 6.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)

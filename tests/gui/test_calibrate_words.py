@@ -23,7 +23,7 @@ from fruitgui.station.station import Station, StationSensor
 
 
 def _pair(held_out_m: float = 0.0003, *, accepted: bool = True, things: int = 12) -> PairQuality:
-    return PairQuality(("kinect_2", "kinect_1"), accepted, things, 0.8, 0.0009, held_out_m, 1.0, 90.0)
+    return PairQuality(("kinect_2", "kinect_1"), accepted, things, 0.8, 0.0009, held_out_m, 1.0, 0.002, 90.0)
 
 
 def _quality(word: str = "good", position_std_m: float = 0.0004) -> SensorQuality:

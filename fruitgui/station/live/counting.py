@@ -11,11 +11,10 @@ from fruitgui.measurement.rough import rough_size
 from fruitgui.perception.view import FruitView
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.judging import NOBODY_SAYS, Judgement, evidence
-from fruitgui.station.live.bench import Bench
 from fruitgui.station.live.crops import coded
-from fruitgui.station.live.following import Parted
 from fruitgui.station.live.helper import HelperLostError, JobError, Weigh, Worker, attempted
 from fruitgui.station.live.state import Finished, KindTotal, Spot, Totals
+from fruitgui.station.live.weighing import Weighing
 from fruitgui.station.sink import CountedFruit
 from fruitgui.station.waiting import BufferedSink, SinkState
 from fruitgui.tracking.track import Track
@@ -36,8 +35,7 @@ class Counting:
 
     Args:
         rig: of the sensors that are there.
-        worker: measures where the bench has no helper.
-        bench: measures beside.
+        worker: measures what no helper did.
         sink: keeps fruit.
         teacher: told of every fruit.
         warn: told what went wrong: code, text, sensors.
@@ -47,17 +45,16 @@ class Counting:
         self,
         rig: Rig,
         worker: Worker,
-        bench: Bench,
         sink: BufferedSink,
         teacher: Teacher | None,
         warn: Callable[[str, str, tuple[str, ...]], None],
     ) -> None:
         self._rig = rig
         self._worker = worker
-        self._bench = bench
         self._sink = sink
         self._teacher = teacher
         self._warn = warn
+        self._judged: Callable[[Weighing], Judgement] = self._weighed
         self._number = 0
         self._unkept: dict[int, Finished] = {}
         self._last: deque[tuple[CountedFruit, Finished]] = deque(maxlen=LAST_FRUIT)
@@ -73,9 +70,13 @@ class Counting:
         """How the store fares."""
         return self._sink.state
 
-    def count(self, parted: Parted, lot: int | None) -> None:
-        """Measure a fruit that left, and count it into a lot; without one it passes uncounted."""
-        judgement = self._judged(parted.track)
+    def hurry(self) -> None:
+        """Measure roughly from now on: somebody waits for the end, and a fruit is better counted than lost."""
+        self._judged = self._roughly
+
+    def count(self, weighing: Weighing) -> None:
+        """Count a fruit once it is measured."""
+        judgement, parted, lot = self._judged(weighing), weighing.parted, weighing.lot
         self._number += 1
         seen_by = tuple(sorted({sighting.view.sensor for sighting in parted.track.sightings}))
         finished = Finished(
@@ -97,20 +98,23 @@ class Counting:
         if self._sink.state.waiting:
             self._add(self._sink.retry())
 
-    def _judged(self, track: Track) -> Judgement:
-        """Measure a track, here or beside; one that cannot be measured is counted all the same, and said."""
-        job = Weigh(track)
-        answer = self._bench.hand(job)
+    def _weighed(self, weighing: Weighing) -> Judgement:
+        """Measure a track, beside or here; one that cannot be measured is counted all the same, and said."""
         try:
-            if answer is not None:
-                done: Judgement = answer.result()
+            if weighing.answer is not None:
+                done: Judgement = weighing.answer.result()
                 return done
         except (HelperLostError, JobError):
             pass  # once more, here
-        here, error = attempted(self._worker, job)
+        here, error = attempted(self._worker, Weigh(weighing.parted.track))
         if isinstance(here, Judgement):
             return here
         self._warn("fruit_not_measured", f"A fruit could not be measured, only counted: {error}", ())
+        return self._roughly(weighing)
+
+    def _roughly(self, weighing: Weighing) -> Judgement:
+        """Return a judgement that no kind is named by, and that knows the size from the tracker alone."""
+        track = weighing.parted.track
         size = rough_size(track, self._rig)
         return Judgement(NOBODY_SAYS, size, evidence(track, size), size.volume_m3, None)
 

@@ -162,6 +162,7 @@ class Helper:
         if self._process is not None and self._process.pid is not None:
             self._process.terminate()
             self._process.join(LEAVE_S)
+            self._process.kill()  # one that stands still is not even terminated
         for thread in self._threads:
             thread.join(LEAVE_S)
         if self._pipe is not None:

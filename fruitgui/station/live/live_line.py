@@ -22,9 +22,9 @@ from fruitgui.station.live.intake import LIVE, ClockWatch, Intake
 from fruitgui.station.live.perceiving import Perceived, Perceiving
 from fruitgui.station.live.sensor_watch import SensorWatch
 from fruitgui.station.live.showing import Showing
-from fruitgui.station.live.sparse import SparseWatch
 from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
 from fruitgui.station.live.warnings import Warnings
+from fruitgui.station.live.weighing import Weighings
 from fruitgui.station.model import Model
 from fruitgui.station.station import Station
 from fruitgui.station.waiting import BufferedSink
@@ -38,6 +38,8 @@ FRUIT_AHEAD = 64
 LATENCIES = 30
 TAKE_S, RETRY_S = 0.2, 2.0
 STOP_S = 15.0
+HURRY_S = 3.0
+"""For fruit that are not measured when the time to stop is over: they are sized roughly, which takes no time."""
 
 
 class LiveLine:
@@ -85,10 +87,10 @@ class LiveLine:
         self._first_look = FirstLook(self._following)
         self._put_right: set[str] = set()
         self._sensors = SensorWatch(self._lineup.station_id, self._following.above, intake.away, self._warnings.add)
-        self._sparse = SparseWatch(self._lineup.rig.mounts, self._following.above, self._warnings.add)
-        self._counting = Counting(self._lineup.rig, hands.worker(), self._bench, sink, teacher, self._warnings.add)
+        self._counting = Counting(self._lineup.rig, hands.worker(), sink, teacher, self._warnings.add)
         self._perceived: queue.Queue[Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
         self._parted: queue.Queue[Leaving | None] = queue.Queue(FRUIT_AHEAD)
+        self._weighings = Weighings(self._parted, self._bench)
         self._subscription: Subscription | None = None
         self._threads: tuple[threading.Thread, ...] = ()
         self._latencies: deque[float] = deque(maxlen=LATENCIES)
@@ -114,13 +116,19 @@ class LiveLine:
         self._lot = lot
 
     def stop(self, timeout_s: float = STOP_S) -> bool:
-        """Stop: what waits is followed, what is in view is counted. Return whether all of it was, in that time."""
+        """Stop: what waits is followed, what is in view is counted. Return whether all of it was.
+
+        Args:
+            timeout_s: fruit that are not measured by then are sized roughly, within some three seconds more.
+        """
         if self._phase is Phase.RUNNING:
             self._phase = Phase.STOPPING
         if self._subscription is not None:
             self._subscription.close()
-        done = self.wait(timeout_s)
+        if not self.wait(timeout_s):
+            self._counting.hurry()
         self._bench.close()
+        done = self.wait(HURRY_S)
         self._phase = Phase.STOPPED
         return done
 
@@ -134,7 +142,7 @@ class LiveLine:
     @property
     def state(self) -> LiveState:
         """How the line is: what is in view as of the last observation, everything else as of now."""
-        subscription, blind = self._subscription, self._sensors.blind
+        subscription = self._subscription
         return replace(
             self._showing.drawn,
             phase=self._phase,
@@ -145,11 +153,11 @@ class LiveLine:
             frames=self._frames,
             latency_s=statistics.median(self._latencies or (0.0,)),
             backlog=(subscription.waiting if subscription else 0) + self._perceived.qsize(),
-            waiting_fruit=self._first_look.held + self._parted.qsize() + self._counting.sink_state.waiting,
+            waiting_fruit=self._first_look.held + self._weighings.waiting + self._counting.sink_state.waiting,
             dropped=subscription.dropped if subscription else {},
             skipped=self._skipped,
-            blind=blind,
-            sparse=self._sparse.now(() if blind is None else blind.sensors),
+            blind=self._sensors.blind,
+            sparse=self._sensors.sparse,
             sink=self._counting.sink_state,
             warnings=self.warnings,
         )
@@ -180,11 +188,7 @@ class LiveLine:
             self._perceived.put(None)
 
     def _watch_sensors(self) -> None:
-        self._watch(lambda: self._sensors.look(self._feed.health, time.monotonic()))
-
-    def _watch_often(self, name: str, time_s: float) -> None:
-        velocity_m_s, absences = self._following.velocity_m_s, self._sensors.absences
-        self._watch(lambda: self._sparse.see(name, time_s, velocity_m_s, absences))
+        self._watch(partial(self._sensors.look, self._feed.health, time.monotonic()))
 
     def _watch(self, look: Callable[[], None]) -> None:
         try:
@@ -241,7 +245,7 @@ class LiveLine:
             return leaving
         self._frames += 1
         self._latencies.append(time.monotonic() - perceived.arrival.arrived_s)
-        self._watch_often(observation.sensor, perceived.look.time_s)
+        self._watch(partial(self._sensors.see, observation.sensor, perceived.look.time_s, self._following.velocity_m_s))
         self._look_on(leaving, (sensor,), partial(self._showing.show, perceived.arrival, observation))
         return leaving
 
@@ -275,13 +279,13 @@ class LiveLine:
     def _count_all(self) -> None:
         while True:
             try:
-                leaving = self._parted.get(timeout=RETRY_S)
+                weighing = self._weighings.take(RETRY_S)
             except queue.Empty:
                 self._attempt(self._counting.retry)
                 continue
-            if leaving is None:
+            if weighing is None:
                 break
-            self._attempt(partial(self._counting.count, *leaving))
+            self._attempt(partial(self._counting.count, weighing))
         self._attempt(self._counting.retry)
         if self._phase is Phase.RUNNING:
             self._phase = Phase.ENDED

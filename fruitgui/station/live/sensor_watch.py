@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping
 
+from fruitgui.frame import F64
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.sensors.sensor import SensorTimeoutError
 from fruitgui.station.live.above import FromAbove
 from fruitgui.station.live.blind import Blind, blind_part, blind_words
+from fruitgui.station.live.sparse import SparseWatch
 
 LOOK_S = 0.2
 
 
 class SensorWatch:
-    """Looks at the sensors' health now and then, on the thread that calls.
+    """Looks at the sensors' health now and then, on the thread that calls, and at when frames were taken.
 
     Args:
         station_id: by the sensors' ids in the feed.
@@ -24,7 +26,6 @@ class SensorWatch:
 
     Attributes:
         blind: what is not seen now; None while every sensor is there.
-        absences: how often each sensor was away so far.
     """
 
     def __init__(
@@ -43,7 +44,18 @@ class SensorWatch:
         self._blinded: dict[str, tuple[str, ...]] = {}
         self._leaps: dict[str, int] = {}
         self.blind: Blind | None = None
-        self.absences: Counter[str] = Counter()
+        self._absences: Counter[str] = Counter()
+        self._often = SparseWatch(station_id.values(), above, warn)
+
+    @property
+    def sparse(self) -> Blind | None:
+        """What is not seen often enough now; None while every sensor that is there gives enough pictures."""
+        blind = self.blind
+        return self._often.now(() if blind is None else blind.sensors)
+
+    def see(self, name: str, time_s: float, velocity_m_s: F64 | None) -> None:
+        """Note that a frame was followed, see `SparseWatch`. May be another thread than that which looks."""
+        self._often.see(name, time_s, velocity_m_s, self._absences)
 
     def look(self, health: Callable[[str], SensorHealth], now_s: float) -> None:
         """Look at the health of each sensor, if the last look was a while ago."""
@@ -64,7 +76,7 @@ class SensorWatch:
 
     def _see_away(self, away: tuple[str, ...]) -> None:
         before, self._away = self._away, away
-        self.absences.update(set(away) - set(before))
+        self._absences.update(set(away) - set(before))
         self.blind = self._blind(away)
         if self.blind is not None and not set(away) <= set(before):
             code = "part_blind" if self.blind.loses_fruit else "sensor_away"

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
+import signal
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -19,7 +21,7 @@ from fruitgui.sensors.depth_correction import DepthCorrection
 from fruitgui.sensors.feed import Feed, Running
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.sensor import Sensor
-from fruitgui.station.live import FLAT_OUT, LIVE, Finished, Intake, LiveLine, Phase, first_look
+from fruitgui.station.live import FLAT_OUT, LIVE, Finished, Intake, LiveLine, Phase, first_look, showing
 from fruitgui.station.live.counting import Counting
 from fruitgui.station.live.following import Following
 from fruitgui.station.live.opinions import Opinions
@@ -36,6 +38,8 @@ pytestmark = pytest.mark.usefixtures("no_leaked_threads")
 SMALL = Intrinsics(320, 240, 262.5, 262.5, 159.5, 119.5)
 SURFACE = Table((), tilt_rad=0.0, intrinsics=SMALL).surface()
 SPEED_M_S, STEP_S = 0.24, 0.2
+ALL_IN_VIEW = 28
+"""Frames of three balls that pass until all of them are in view."""
 BALLS = ((0.035, (200, 60, 40)), (0.028, (60, 170, 50)), (0.04, (210, 180, 50)))
 
 
@@ -127,14 +131,17 @@ def test_constructing_starts_nothing() -> None:
     assert line.stop()
 
 
-def test_what_passes_is_counted_once_it_is_kept_and_drawn_while_in_view() -> None:
-    left = Small("left", frames := passing("left"))
+def test_what_passes_is_counted_once_it_is_kept_and_drawn_while_in_view(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(showing, "SHOWN_HZ", 1e6)  # the last frame is drawn, however quick it follows the one before
+    frames = passing("left")
+    left = Small("left", frames[:ALL_IN_VIEW])
     line, feed, sink = line_of(left)
     with running(line, feed):
         until(lambda: len(balls_in(line)) == 3, 60.0)
         preview = line.previews["left"]
         assert preview.color.shape == (240, 320, 3)
         assert any(len(one.outline_px) > 10 for one in preview.fruit)
+        left.give(*frames[ALL_IN_VIEW:])
         left.end()
         assert line.wait(60.0)
         assert line.state.phase is Phase.ENDED
@@ -146,7 +153,7 @@ def test_what_passes_is_counted_once_it_is_kept_and_drawn_while_in_view() -> Non
 
 
 def test_stopping_counts_what_is_in_view() -> None:
-    line, feed, sink = line_of(Small("left", passing("left")[:28]))
+    line, feed, sink = line_of(Small("left", passing("left")[:ALL_IN_VIEW]))
     with running(line, feed):
         until(lambda: line.state.frames == 28, 60.0)
         assert sink.kept == []
@@ -288,6 +295,20 @@ def test_a_helper_that_dies_is_done_without() -> None:
         left.end()
         assert line.wait(60.0)
     assert len(sink.kept) == 3
+
+
+def test_stopping_counts_what_helpers_that_stand_still_do_not_measure() -> None:
+    left = Small("left", passing("left")[:ALL_IN_VIEW])
+    line, feed, sink = line_of(left)
+    line.start()
+    feed.start()
+    until(lambda: line.state.frames == ALL_IN_VIEW and len(multiprocessing.active_children()) > 0, 60.0)
+    for child in multiprocessing.active_children():
+        os.kill(child.pid or 0, signal.SIGSTOP)
+    assert line.stop(0.5)
+    assert feed.stop() == ()
+    assert [one.fruit.fruit for one, _ in sink.kept] == [1, 2, 3]
+    assert not multiprocessing.active_children()
 
 
 def test_a_sensor_that_dies_does_not_hold_the_others() -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import cast
 
+import numpy as np
+
 from fruitgui.errors import FruitguiError, WorldError
 from fruitgui.sensors.feed.health import Running, SensorHealth
 from fruitgui.sensors.sensor import SensorTimeoutError
@@ -95,7 +97,7 @@ def test_each_leap_of_a_clock_is_said_but_none_of_before_the_line() -> None:
     assert sorted(watched.said) == [("clock_jumped", (name,)) for name in ("left", "right", "right")]
 
 
-def test_one_whose_pictures_are_all_of_no_use_is_away_and_absences_are_counted() -> None:
+def test_one_whose_pictures_are_all_of_no_use_is_away() -> None:
     watched = Watched()
     for _ in range(2):
         watched.useless = {"left"}
@@ -105,4 +107,25 @@ def test_one_whose_pictures_are_all_of_no_use_is_away_and_absences_are_counted()
         watched.look()
         assert watched.watch.blind is None
     assert [code for code, _ in watched.said] == 2 * ["part_blind"]
-    assert watched.watch.absences == {"left": 2}
+
+
+def test_one_that_was_away_is_not_said_to_have_given_too_few_pictures_meanwhile() -> None:
+    watched, velocity_m_s = Watched(), np.array([0.5, 0.0, 0.0])
+
+    def see(from_s: float, every_s: float) -> None:
+        for number in range(12):
+            watched.watch.see("left", from_s + number * every_s, velocity_m_s)
+
+    see(0.0, 0.1)
+    watched.state["left"] = Running.SILENT
+    watched.look()
+    watched.state["left"] = Running.RUNNING
+    watched.look()
+    see(60.0, 0.1)
+    assert watched.watch.sparse is None
+    see(90.0, 1.0)
+    assert watched.watch.sparse is not None
+    watched.state["left"] = Running.SILENT
+    watched.look()
+    assert watched.watch.sparse is None, "it gives nothing now: that is another matter"
+    assert [code for code, _ in watched.said] == ["part_blind", "part_sparse", "part_blind"]

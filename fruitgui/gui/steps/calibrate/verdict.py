@@ -83,6 +83,7 @@ def kept_links(station: Station) -> list[PairQuality]:
                     residual_m=_number(one, "residual_m"),
                     held_out_m=_number(one, "held_out_m"),
                     scale=_number(one, "scale") or 1.0,
+                    scale_std=_number(one, "scale_std") or math.inf,
                     margin=_number(one, "margin"),
                 )
     return list(pairs.values())
