@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from itertools import pairwise
+from typing import Protocol
 
 _BINS, _BIN_S = 60, 1.0
 _FASTEST = 200e-6
@@ -16,6 +17,15 @@ _YOUNG_S = 2.0
 
 _JUMPED_FRAMES = 3
 _SHORTEST_STEP_S = 1e-4
+
+
+class DeviceClock(Protocol):
+    """Brings a device's times to another clock; see `HostClock`."""
+
+    jumps: int
+
+    def time_s(self, device_s: float, arrived_s: float) -> float:
+        """Return when a capture was taken."""
 
 
 class HostClock:

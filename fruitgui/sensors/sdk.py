@@ -20,7 +20,7 @@ from typing import Any, Protocol
 from fruitgui.errors import FruitguiError, WorldError
 from fruitgui.frame import U8, U16, Frame, Intrinsics
 from fruitgui.sensors.drivers import PluggedDevice
-from fruitgui.sensors.host_clock import HostClock
+from fruitgui.sensors.host_clock import DeviceClock, HostClock
 from fruitgui.sensors.registration import Registration
 from fruitgui.sensors.sensor import Projector, SensorInfo, SensorTimeoutError
 from fruitgui.sensors.usb.plugged import is_plugged
@@ -80,15 +80,6 @@ class Camera(Protocol):
 
     def stop(self) -> None:
         """End streaming and give the device back. Any number of times."""
-
-
-class DeviceClock(Protocol):
-    """Brings a device's times to another clock; see `HostClock`."""
-
-    jumps: int
-
-    def time_s(self, device_s: float, arrived_s: float) -> float:
-        """Return when a capture was taken."""
 
 
 class SdkSensor:
