@@ -85,6 +85,7 @@ class Frame:
         damaged: a part was lost on its way and shows something older; a feed counts it and hands it on to nobody.
         felt_m_s2: what the sensor's accelerometer felt lately, in axes of its own: gravity, as long as it stands still;
             None where there is none.
+        clock_leaps: how often the sensor's clock has leapt since it was opened; `time_s` goes on by the host's then.
     """
 
     sensor: str
@@ -95,6 +96,7 @@ class Frame:
     intrinsics: Intrinsics
     damaged: bool = False
     felt_m_s2: tuple[float, float, float] | None = None
+    clock_leaps: int = 0
 
     def points(self) -> F32:
         """Return every pixel's point in the optical frame, metres: (height, width, 3), zeros where no reading."""

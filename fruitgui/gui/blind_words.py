@@ -1,4 +1,4 @@
-"""Which part of the belt nobody sees, in words."""
+"""Which part of the belt nobody sees, or not often enough, in words."""
 
 from __future__ import annotations
 
@@ -21,8 +21,27 @@ def blind_text(blind: Blind) -> str:
         return translate("Blind", "{sensors} away: {share} of the belt is seen by no sensor").format(
             sensors=sensors, share=percent_text(max(blind.share, 0.01))
         )
-    lanes = "; ".join(_lane_text(side, lane) for side, lane in zip(blind.sides, blind.lanes_m, strict=True))
-    return translate("Blind", "{sensors} away: no sensor sees {lanes}").format(sensors=sensors, lanes=lanes)
+    text = translate("Blind", "{sensors} away: no sensor sees {lanes}")
+    return text.format(sensors=sensors, lanes=_lanes_text(blind))
+
+
+def sparse_text(sparse: Blind) -> str:
+    """Return who gives too few pictures, and what of the belt no other sensor sees: one line."""
+    sensors = ", ".join(sparse.sensors)
+    if not sparse.loses_fruit:
+        text = translate(
+            "Blind", "{sensors}: too few pictures at this speed; another sensor sees every part of the belt"
+        )
+        return text.format(sensors=sensors)
+    if sparse.lanes_m is None:
+        text = translate("Blind", "{sensors}: too few pictures at this speed; no other sensor sees {share} of the belt")
+        return text.format(sensors=sensors, share=percent_text(max(sparse.share, 0.01)))
+    text = translate("Blind", "{sensors}: too few pictures at this speed; no other sensor sees {lanes}")
+    return text.format(sensors=sensors, lanes=_lanes_text(sparse))
+
+
+def _lanes_text(blind: Blind) -> str:
+    return "; ".join(_lane_text(side, lane) for side, lane in zip(blind.sides, blind.lanes_m or (), strict=True))
 
 
 def _lane_text(side: str, lane_m: tuple[float, float]) -> str:
@@ -41,3 +60,10 @@ def blind_remedy(blind: Blind) -> str:
     if blind.loses_fruit:
         return translate("Blind", "Fruit there are not counted. Check cable and power; it starts again by itself.")
     return translate("Blind", "Sizes are less sure meanwhile. Check cable and power; it starts again by itself.")
+
+
+def sparse_remedy(sparse: Blind) -> str:
+    """Return what that means, and what to do."""
+    if sparse.loses_fruit:
+        return translate("Blind", "Fruit there may be missed. Slow the belt down; step 1 says why pictures are lost.")
+    return translate("Blind", "Sizes are less sure meanwhile. Slow the belt down; step 1 says why pictures are lost.")

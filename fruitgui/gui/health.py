@@ -4,41 +4,34 @@ from __future__ import annotations
 
 import logging
 import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
 
-from fruitgui.gui.blind_words import blind_remedy, blind_text
+from fruitgui.gui.blind_words import blind_remedy, blind_text, sparse_remedy, sparse_text
 from fruitgui.gui.messages import Level, Message
-from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.pills import disk_pill, line_pill, recording_pill, sensors_pill
 from fruitgui.gui.queries import Queries
-from fruitgui.gui.recorder_words import clock_time
 from fruitgui.gui.session import Session
 from fruitgui.gui.told import Told
-from fruitgui.gui.top_bar import Pill, TopBar
-from fruitgui.sensors.feed import Running, SensorHealth
+from fruitgui.gui.top_bar import TopBar
 from fruitgui.station.live.blind import Blind
-from fruitgui.station.live.state import LiveState, LiveWarning
-from fruitgui.station.record_state import RecordPlan, RecordState
+from fruitgui.station.live.state import LiveWarning
 
 log = logging.getLogger(__name__)
 
 LOOK_MS = 1000
-SLOW_S = 1.0
-"""Behind by more than this, a person at the belt sees a fruit counted when it is out of reach."""
-
-BEHIND_FRAMES = 30
 STAYING = ("calibration_stale", "not_kept", "fruit_not_counted")
 """Warnings that stay until a person has put them away: a lot may be wrong by them."""
 
 AWAY = ("part_blind", "sensor_away")
+SPARSE = ("part_sparse", "sensor_sparse")
+AGAIN = (*AWAY, *SPARSE, "clock_jumped")
+"""Warnings that are said each time: a sensor that goes away once more, a clock that leaps once more."""
 
 BYTES_PER_GB = 1e9
-
-ROUND_GB = 20.0
-"""Room from which on a tenth of a GB says nothing; near the limit it tells on which side one is."""
 
 
 class HealthWatch(QObject):
@@ -98,10 +91,12 @@ class HealthWatch(QObject):
         self._bar.show_place(line_name(self._session.workspace.folder), place)
 
     def _stand(self) -> None:
-        """Let what nobody sees of the belt stand for as long as it is not seen."""
-        running = self._session.running
-        blind = running.state.blind if running.running and running.state is not None else None
-        self._session.messages.stand("blind", None if blind is None else blind_message(blind))
+        """Let what nobody sees of the belt, or not often enough, stand for as long as it is so."""
+        running, messages = self._session.running, self._session.messages
+        state = running.state if running.running else None
+        blind, sparse = (None, None) if state is None else (state.blind, state.sparse)
+        messages.stand("blind", None if blind is None else blind_message(blind))
+        messages.stand("sparse", None if sparse is None else sparse_message(sparse))
 
     def _warn(self) -> None:
         """Say each warning of the line once; those of a bumped rig stay until they are put away."""
@@ -111,12 +106,12 @@ class HealthWatch(QObject):
             self._said.clear()
             return
         for warning in running.state.warnings:
-            # A sensor that goes away once more is said once more.
-            key = (warning.code, warning.sensors, warning.count if warning.code in AWAY else 1)
+            key = (warning.code, warning.sensors, warning.count if warning.code in AGAIN else 1)
             if key not in self._said:
                 self._said.add(key)
                 log.warning("%s %s", warning.code, warning.text)
-                self._session.messages.say(warning_message(warning, running.state.blind))
+                unseen = running.state.sparse if warning.code in SPARSE else running.state.blind
+                self._session.messages.say(warning_message(warning, unseen))
 
 
 def line_name(folder: Path) -> str:
@@ -129,16 +124,16 @@ def warning_message(warning: LiveWarning, blind: Blind | None = None) -> Message
 
     Args:
         warning: of the line.
-        blind: what nobody sees now.
+        blind: what nobody sees now, or not often enough, where it warns of that.
     """
-    if warning.code in AWAY and blind is not None and blind.sensors == warning.sensors:
-        return blind_message(blind)
+    if blind is not None and blind.sensors == warning.sensors and warning.code in (*AWAY, *SPARSE):
+        return (blind_message if warning.code in AWAY else sparse_message)(blind)
     words = {
         "calibration_stale": _bumped, "not_kept": _not_kept, "clock_jumped": _clock_jumped,
         "clock_put_right": _clock_put_right, "sensor_not_matched": _not_matched, "frame_skipped": _skipped,
         "fruit_not_measured": _not_measured, "fruit_not_counted": _not_counted,
-        "part_blind": _away, "sensor_away": _away, "may_be_blinded": _may_be_blinded,
-        "not_drawn": _not_drawn, "not_watched": _not_watched,
+        "part_blind": _away, "sensor_away": _away, "part_sparse": _sparse, "sensor_sparse": _sparse,
+        "may_be_blinded": _may_be_blinded, "not_drawn": _not_drawn, "not_watched": _not_watched,
     }.get(warning.code)  # fmt: skip
     if words is None:
         return Message(Level.WARN, lambda: Told(warning.text))
@@ -157,6 +152,12 @@ def _told(words: Callable[[], tuple[str, str]], sensors: str) -> Told:
     return Told(what.format(sensors=sensors), remedy)
 
 
+def sparse_message(sparse: Blind) -> Message:
+    """Return what is said while sensors give too few pictures."""
+    level = Level.BAD if sparse.loses_fruit else Level.WARN
+    return Message(level, lambda: Told(f"{sparse_text(sparse)}.", sparse_remedy(sparse)))
+
+
 def _bumped() -> tuple[str, str]:
     return (
         QCoreApplication.translate("Health", "A sensor was moved since it was calibrated: {sensors}."),
@@ -173,8 +174,12 @@ def _not_kept() -> tuple[str, str]:
 
 def _clock_jumped() -> tuple[str, str]:
     return (
-        QCoreApplication.translate("Health", "The clock of {sensors} leapt; it is followed on from there."),
-        QCoreApplication.translate("Health", "If this comes back, unplug the sensor and plug it in again."),
+        QCoreApplication.translate(
+            "Health", "The clock of {sensors} leapt: fruit of this moment may be missing or twice."
+        ),
+        QCoreApplication.translate(
+            "Health", "It is followed on from there. If this comes back, unplug the sensor and plug it in again."
+        ),
     )
 
 
@@ -213,6 +218,15 @@ def _away() -> tuple[str, str]:
     )
 
 
+def _sparse() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "Too few pictures came from {sensors} for a while."),
+        QCoreApplication.translate(
+            "Health", "Fruit that only it sees may be missing. Step 1 says why pictures are lost."
+        ),
+    )
+
+
 def _may_be_blinded() -> tuple[str, str]:
     return (
         QCoreApplication.translate("Health", "A driver hangs, and a projector may be on out of its turn: {sensors}."),
@@ -241,44 +255,3 @@ def _not_counted() -> tuple[str, str]:
         QCoreApplication.translate("Health", "A fruit was followed but could not be counted."),
         QCoreApplication.translate("Health", "The log says what went wrong: open the help, then Show log."),
     )
-
-
-def sensors_pill(health: Mapping[str, SensorHealth]) -> Pill:
-    """Return how many of the sensors run."""
-    well = [name for name, one in health.items() if one.state in (Running.RUNNING, Running.ENDED)]
-    missing = [name for name in health if name not in well]
-    text = QCoreApplication.translate("Health", "{well}/{all} sensors").format(well=len(well), all=len(health))
-    if not missing:
-        return Pill("sensors", "camera", text, "good")
-    if all(health[name].state is Running.STARTING for name in missing):
-        return Pill("sensors", "camera", text, "", QCoreApplication.translate("Health", "The sensors are starting."))
-    tip = QCoreApplication.translate("Health", "No pictures from {sensors}; its part of the belt is not seen.")
-    return Pill("sensors", "camera", text, "bad", tip.format(sensors=", ".join(missing)))
-
-
-def line_pill(state: LiveState) -> Pill:
-    """Return how far behind the line is, and what it had no time for."""
-    dropped = sum(state.dropped.values())
-    slow = state.latency_s > SLOW_S or state.backlog > BEHIND_FRAMES
-    text = f"{number_text(state.latency_s * 1e3, 0)}{THIN}ms"
-    tip = QCoreApplication.translate(
-        "Health", "From a picture to what is drawn: {latency}. Waiting: {backlog} pictures. Left out: {dropped}."
-    ).format(latency=text, backlog=state.backlog, dropped=dropped)
-    return Pill("line", "clock", text, "warn" if slow or dropped else "good", tip)
-
-
-def recording_pill(plan: RecordPlan, state: RecordState | None) -> Pill:
-    """Return how far a recording is."""
-    seconds = 0.0 if state is None else state.seconds
-    troubled = state is not None and (bool(state.silent) or any(state.lost.values()))
-    tip = QCoreApplication.translate("Health", "Recording {name}: see Connect.").format(name=plan.out.stem)
-    return Pill("recording", "record", clock_time(seconds), "warn" if troubled else "good", tip)
-
-
-def disk_pill(free_gb: float, least_gb: float) -> Pill:
-    """Return how much room the disk has."""
-    health = "" if free_gb > 2.0 * least_gb else ("warn" if free_gb > least_gb else "bad")
-    tip = QCoreApplication.translate(
-        "Health", "Free on the disk: {free} GB. Recording and keeping pictures stop below {least} GB."
-    ).format(free=number_text(free_gb, 2), least=number_text(least_gb, 2))
-    return Pill("disk", "disk", f"{number_text(free_gb, 0 if free_gb >= ROUND_GB else 1)}{THIN}GB", health, tip)

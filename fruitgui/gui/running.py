@@ -22,6 +22,7 @@ from fruitgui.gui.troubles import Troubles
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.set_aside import SetAside
+from fruitgui.records.spells import SpellSort
 from fruitgui.records.store import Store
 from fruitgui.station.live import LiveLine, LiveState, LiveWarning, Preview
 from fruitgui.station.live.blind import Blind
@@ -72,7 +73,7 @@ class Running(QObject):
         self._state: LiveState | None = None
         self._spells = Queries(self)
         self._spells.failed.connect(messages.error)
-        self._noted: tuple[int, Blind | None] | None = None
+        self._noted: dict[SpellSort, tuple[int, Blind | None]] = {}
         self._troubles = Troubles(self._spells, store.spells)
         self.lot: Lot | None = None
         self.kinds: tuple[str, ...] = ()
@@ -163,7 +164,7 @@ class Running(QObject):
         """Stop the line; the lot stays open and can be taken up again. Tell whether all was counted in time."""
         line, self._line = self._line, None
         self._tick.stop()
-        self._note_spell(None)
+        self._note_spells(None)
         self._note_troubles(())
         done = True if line is None else line.stop(CLOSE_S)
         return self._spells.finish() and done
@@ -185,7 +186,7 @@ class Running(QObject):
         self._connected.adopt(made.feed)
         self._line, self.lot, self.kinds = made.line, made.lot, made.kinds
         self._sink, self._aside = made.sink, made.aside
-        self._noted = None
+        self._noted = {}
         self._troubles = Troubles(self._spells, self._store.spells)
         self.tally = Tally.of(made.totals)
         self._tick.start()
@@ -224,7 +225,7 @@ class Running(QObject):
         if self._line is not None:
             self._state = self._line.state
             self._watch_rig(self._state)
-            self._note_spell(None if self.paused else self._state.blind)
+            self._note_spells(None if self.paused else self._state)
             self._note_troubles(self._state.warnings)
         now_s = time.monotonic()
         for counted in () if self._sink is None else self._sink.drain():
@@ -237,14 +238,18 @@ class Running(QObject):
             self.moved = moved
             self.changed.emit()
 
-    def _note_spell(self, blind: Blind | None) -> None:
-        """Let the lot remember what of the belt nobody sees, when that changes."""
-        lot = self.lot
-        if lot is None or self._noted == (lot.key, blind):
+    def _note_spells(self, state: LiveState | None) -> None:
+        """Let the lot remember what of the belt nobody sees, or not often enough, when that changes."""
+        self._note_spell("away", None if state is None else state.blind)
+        self._note_spell("sparse", None if state is None else state.sparse)
+
+    def _note_spell(self, sort: SpellSort, blind: Blind | None) -> None:
+        lot, before = self.lot, self._noted.get(sort)
+        if lot is None or before == (lot.key, blind):
             return
-        first, self._noted = self._noted is None or self._noted[0] != lot.key, (lot.key, blind)
-        if not (first and blind is None):
-            self._spells.change(lambda: self._store.spells.note(lot.key, blind), lambda _: None)
+        self._noted[sort] = (lot.key, blind)
+        if blind is not None or (before is not None and before[0] == lot.key):
+            self._spells.change(lambda: self._store.spells.note(lot.key, blind, sort), lambda _: None)
 
     def _note_troubles(self, warnings: Sequence[LiveWarning]) -> None:
         """Let the lot remember when the rig was moved and clocks leapt, but not what happens in a pause."""
@@ -258,7 +263,7 @@ class Running(QObject):
             return
         self._line = None
         self._tick.stop()
-        self._note_spell(None)
+        self._note_spells(None)
         self._note_troubles(())
 
         def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - it ends within seconds

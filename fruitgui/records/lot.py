@@ -67,7 +67,7 @@ class Lot:
         station_sha256: of the station's text, see `Lots.station_text`.
         started_s, ended_s: Unix seconds; open where there is no end.
         pauses: in order.
-        spells: in which sensors were away, in order.
+        spells: in which sensors gave nothing or too little, in order.
         troubles: what else left it in doubt, in order.
     """
 

@@ -15,6 +15,8 @@ from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress,
 from fruitgui.records.fruit_record import FruitRecord
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot
+from fruitgui.records.lot_sensors import serials_of
+from fruitgui.records.spells import SPELL_SORTS, SpellSort
 from fruitgui.records.store import Store
 from fruitgui.station.report import G_PER_KG, ML_PER_M3, MM_PER_M
 
@@ -23,13 +25,15 @@ HEADER = (
     "volume_ml", "volume_std_ml", "mass_g", "mass_std_g", "length_mm", "length_std_mm",
     "diameter_mm", "diameter_std_mm", "perimeter_mm", "perimeter_std_mm",
     "views", "coverage", "recipe", "size_band", "outlet", "counted_at_utc", "first_seen_s", "last_seen_s",
-    "sensors_away", "lot_unseen_s",
+    "sensors_away", "sensors_sparse", "lot_unseen_s", "lot_sensors",
 )  # fmt: skip
 """`kind` is what holds, `machine_kind` what the machine said (empty where a person added the fruit); `counted` is 1 or
 0 (left out by a person); what was not measured is empty; `_std_` is one standard deviation; `size_band` and
 `outlet` are empty where a lot sorts nothing; `first_seen_s` and `last_seen_s` are in the reference sensor's clock;
-`sensors_away` names those that gave nothing while the fruit passed, up to when it was counted; `lot_unseen_s` is for
-how long fruit of this lot may have passed unseen."""
+`sensors_away` names those that gave nothing while the fruit passed, up to when it was counted, `sensors_sparse` those
+that gave too few pictures for the belt's speed; `lot_unseen_s` is for how long fruit of this lot may have passed
+unseen, or too seldom seen to be counted; `lot_sensors` tells which device each sensor of the lot was: name=serial,
+or the name alone where it has none."""
 
 TOLD_EVERY = 2_000
 
@@ -51,13 +55,15 @@ def write_lot(
     """
     of = store.lots.get(lot)
     unseen_s = _unseen_s(of, time.time() if now_s is None else now_s)
+    sensors = " ".join(f"{name}={serial}" if serial else name for name, serial in serials_of(store, lot).items())
     found = sum(store.fruit.find(FruitQuery(lot, which=which, count=0)).found for which in ("counted", "left_out"))
     written = 0
     with written_whole(path) as beside, beside.open("w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out)
         writer.writerow(HEADER)
         for fruit in store.fruit.walk(lot):
-            writer.writerow([*_row(of, fruit), " ".join(_away(of, fruit)), _digits(unseen_s, 1)])
+            missed = (" ".join(_missed(of, fruit, sort)) for sort in SPELL_SORTS)
+            writer.writerow([*_row(of, fruit), *missed, _digits(unseen_s, 1), sensors])
             written += 1
             if written % TOLD_EVERY == 0:
                 stop_if(cancelled)
@@ -77,16 +83,23 @@ def _row(lot: Lot, fruit: FruitRecord) -> Iterable[object]:
 
 
 def _unseen_s(lot: Lot, now_s: float) -> float:
-    """Return for how long sensors were away so that fruit can have passed where nobody saw them."""
-    return sum(spell.lasted_s(now_s) for spell in lot.spells if spell.blind.loses_fruit)
+    """Return for how long sensors gave so little that fruit can have passed where nobody saw them often enough."""
+    unseen_s, until_s = 0.0, -math.inf
+    for spell in lot.spells:  # in order of their beginnings; what two have in common counts once
+        if spell.blind.loses_fruit:
+            ends_s = spell.from_s + spell.lasted_s(now_s)
+            unseen_s += max(ends_s - max(spell.from_s, until_s), 0.0)
+            until_s = max(until_s, ends_s)
+    return unseen_s
 
 
-def _away(lot: Lot, fruit: FruitRecord) -> list[str]:
-    """Return the sensors that were away at any time from when a fruit came into view until it was counted."""
+def _missed(lot: Lot, fruit: FruitRecord, sort: SpellSort) -> list[str]:
+    """Return who gave nothing, or too little, at any time from when a fruit came into view until it was counted."""
     if fruit.first_seen_s is None or fruit.last_seen_s is None:
         return []  # a person added it, whenever it passed
     came_s = fruit.counted_s - max(fruit.last_seen_s - fruit.first_seen_s, 0.0)
-    passing = (one for one in lot.spells if one.from_s <= fruit.counted_s and (one.to_s is None or one.to_s >= came_s))
+    of_sort = (one for one in lot.spells if one.sort == sort)
+    passing = (one for one in of_sort if one.from_s <= fruit.counted_s and (one.to_s is None or one.to_s >= came_s))
     return sorted({sensor for one in passing for sensor in one.blind.sensors})
 
 

@@ -10,6 +10,7 @@ from fruitgui.measurement.sums import SharedSum
 from fruitgui.records.distribution import Distribution, Measured
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot
+from fruitgui.records.lot_sensors import serials_of
 from fruitgui.records.store import Store
 from fruitgui.records.totals import SHARING, KindTotal
 
@@ -31,6 +32,7 @@ class LotReport:
         volume_m3, mass_kg: of all kinds together; std as `note` says.
         spread: how each measure is spread over the fruit.
         note: what the ± of totals means.
+        serials: of the sensors, by name; empty where one has none.
     """
 
     lot: Lot
@@ -46,6 +48,7 @@ class LotReport:
     mass_kg: Quantity
     spread: Mapping[Measured, Distribution]
     note: str
+    serials: Mapping[str, str]
 
 
 def report_lot(store: Store, lot: int, now_s: float, bins: int = 30) -> LotReport:
@@ -71,4 +74,5 @@ def report_lot(store: Store, lot: int, now_s: float, bins: int = 30) -> LotRepor
         mass_kg=sum((one.mass for one in kinds), SharedSum()).quantity,
         spread={measured: store.fruit.distribution(lot, measured, bins) for measured in SPREAD},
         note=SHARING,
+        serials=serials_of(store, lot),
     )

@@ -1,11 +1,11 @@
-"""Times in which sensors were away while a lot ran: what was not seen is not counted, and a lot says so for good."""
+"""Times in which sensors gave nothing or too little while a lot ran: a lot says for good what may not be counted."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Literal, cast
+from typing import Literal, cast, get_args
 
 from sqlalchemy import select
 from sqlalchemy.orm import Session
@@ -17,12 +17,15 @@ from fruitgui.station.live.blind import Blind
 TroubleSort = Literal["moved", "clock_jumped"]
 """`moved`: sensors do not stand as they were calibrated. `clock_jumped`: their clocks leapt, at one moment."""
 
-AWAY = "away"
+SpellSort = Literal["away", "sparse"]
+"""`away`: sensors gave nothing. `sparse`: they gave too few pictures for the belt's speed."""
+
+SPELL_SORTS: tuple[SpellSort, ...] = get_args(SpellSort)
 
 
 @dataclass(frozen=True, slots=True)
 class Trouble:
-    """A time in which something other than an absence left a lot in doubt.
+    """A time in which something other than sensors that gave too little left a lot in doubt.
 
     Attributes:
         sort: what it was.
@@ -38,16 +41,18 @@ class Trouble:
 
 @dataclass(frozen=True, slots=True)
 class Spell:
-    """A time in which sensors were away.
+    """A time in which sensors gave nothing, or too little.
 
     Attributes:
         from_s, to_s: Unix seconds; it goes on where there is no end.
-        blind: who was away, and what of the belt nobody saw.
+        blind: who it was, and what of the belt nobody saw, or not often enough.
+        sort: which of the two.
     """
 
     from_s: float
     to_s: float | None
     blind: Blind
+    sort: SpellSort = "away"
 
     def lasted_s(self, now_s: float) -> float:
         """Return how long it lasted, until now where it goes on."""
@@ -61,8 +66,10 @@ class Spells:
         self._database = database
         self._now_s = now_s
 
-    def note(self, lot: int, blind: Blind | None) -> None:
+    def note(self, lot: int, blind: Blind | None, sort: SpellSort = "away") -> None:
         """Note what is not seen from now on; None where all is. What was noted before ends, unless it is the same.
+
+        What is not seen and what is not seen often enough are noted apart.
 
         Of a lot that is ended, or not there, nothing is noted.
 
@@ -73,7 +80,7 @@ class Spells:
             if not _runs(session, lot):
                 return
             now_s = self._now_s()
-            before = _going_on(session, lot, AWAY)
+            before = _going_on(session, lot, sort)
             if len(before) == 1 and blind is not None and _spell(before[0]).blind == blind:
                 return
             _end(before, now_s)
@@ -81,7 +88,7 @@ class Spells:
                 session.add(SpellRow(
                     lot_id=lot, from_s=now_s, to_s=None, sensors=list(blind.sensors),
                     lanes_m=None if blind.lanes_m is None else [list(lane) for lane in blind.lanes_m],
-                    width_m=blind.width_m, share=blind.share,
+                    width_m=blind.width_m, share=blind.share, sort=sort,
                 ))  # fmt: skip
 
     def note_moved(self, lot: int, sensors: tuple[str, ...]) -> None:
@@ -120,7 +127,7 @@ def spells_of(session: Session, lots: Iterable[int]) -> dict[int, list[Spell]]:
     """Return the spells of lots, by their keys, in order."""
     found: dict[int, list[Spell]] = {lot: [] for lot in lots}
     for row in _rows(session, found):
-        if row.sort == AWAY:
+        if row.sort in SPELL_SORTS:
             found[row.lot_id].append(_spell(row))
     return found
 
@@ -129,7 +136,7 @@ def troubles_of(session: Session, lots: Iterable[int]) -> dict[int, list[Trouble
     """Return what else left lots in doubt, by their keys, in order."""
     found: dict[int, list[Trouble]] = {lot: [] for lot in lots}
     for row in _rows(session, found):
-        if row.sort != AWAY:
+        if row.sort not in SPELL_SORTS:
             sort = cast("TroubleSort", row.sort)
             found[row.lot_id].append(Trouble(sort, row.from_s, row.to_s, tuple(map(str, row.sensors))))
     return found
@@ -163,4 +170,5 @@ def _end(rows: Iterable[SpellRow], at_s: float) -> None:
 
 def _spell(row: SpellRow) -> Spell:
     lanes = None if row.lanes_m is None else tuple((float(begin), float(end)) for begin, end in row.lanes_m)
-    return Spell(row.from_s, row.to_s, Blind(tuple(map(str, row.sensors)), lanes, row.width_m, row.share))
+    blind = Blind(tuple(map(str, row.sensors)), lanes, row.width_m, row.share)
+    return Spell(row.from_s, row.to_s, blind, cast("SpellSort", row.sort))

@@ -67,7 +67,8 @@ class PauseRow(Base):
 
 
 class SpellRow(Base):
-    """A time in which sensors were away while a lot ran, and what of the belt nobody saw; or other trouble (`sort`)."""
+    """A time in which sensors gave nothing or too little (`sort`) while a lot ran, and what of the belt nobody saw;
+    or other trouble."""
 
     __tablename__ = "spell"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from itertools import pairwise
+from typing import Protocol
 
 _BINS, _BIN_S = 60, 1.0
 _FASTEST = 200e-6
@@ -18,6 +19,15 @@ _JUMPED_FRAMES = 3
 _SHORTEST_STEP_S = 1e-4
 
 
+class DeviceClock(Protocol):
+    """Brings a device's times to another clock; see `HostClock`."""
+
+    jumps: int
+
+    def time_s(self, device_s: float, arrived_s: float) -> float:
+        """Return when a capture was taken."""
+
+
 class HostClock:
     """Gives capture times in the host's monotonic clock to times in a device's clock, in their order.
 
@@ -26,6 +36,9 @@ class HostClock:
     (as Moon, Skelly and Towsley, INFOCOM 1999, for packets) is the device's
     clock in the host's: what is left over is the least time that a picture
     takes. A clock that jumps is noticed, and its line begun anew.
+
+    Attributes:
+        jumps: how often it did.
     """
 
     def __init__(self) -> None:

@@ -20,7 +20,7 @@ from typing import Any, Protocol
 from fruitgui.errors import FruitguiError, WorldError
 from fruitgui.frame import U8, U16, Frame, Intrinsics
 from fruitgui.sensors.drivers import PluggedDevice
-from fruitgui.sensors.host_clock import HostClock
+from fruitgui.sensors.host_clock import DeviceClock, HostClock
 from fruitgui.sensors.registration import Registration
 from fruitgui.sensors.sensor import Projector, SensorInfo, SensorTimeoutError
 from fruitgui.sensors.usb.plugged import is_plugged
@@ -91,7 +91,7 @@ class SdkSensor:
         make: the driver's word. maker: for people. serial: of the device.
         camera: makes it, not yet started; loads the SDK.
         projector: what its light does to others; none of these is switched.
-        clock: brings the device's times to another clock, given when a capture came; the host's unless given.
+        clock: makes what brings the device's times to another clock; to the host's unless given.
     """
 
     def __init__(
@@ -101,7 +101,7 @@ class SdkSensor:
         serial: str,
         camera: Callable[[], Camera],
         projector: Projector,
-        clock: Callable[[], Callable[[float, float], float]] = lambda: HostClock().time_s,
+        clock: Callable[[], DeviceClock] = HostClock,
     ) -> None:
         self._name = f"{make}_" + re.sub(r"\W", "_", serial, flags=re.ASCII)
         self._maker, self._serial = maker, serial
@@ -110,7 +110,7 @@ class SdkSensor:
         self._opened = Opened(maker, USUAL)
         self._camera: Camera | None = None
         self._runs = False
-        self._time_s: Callable[[float, float], float] = max
+        self._clock = clock()
         self._last_number, self._sequence = -1, -1
 
     @property
@@ -133,7 +133,7 @@ class SdkSensor:
             undo.callback(camera.stop)
             self._opened = camera.start()
             undo.pop_all()
-        self._runs, self._time_s = True, self._make_clock()
+        self._runs, self._clock = True, self._make_clock()
         self._last_number, self._sequence = -1, -1
 
     def read(self, timeout_s: float) -> Frame:
@@ -179,8 +179,11 @@ class SdkSensor:
         self._last_number, self._sequence = shot.number, self._sequence + 1 + skipped
         registration = self._opened.registration
         depth_mm = shot.depth_mm.copy() if registration is None else registration.apply(shot.depth_mm)
-        time_s = self._time_s(shot.device_s, time.monotonic())
-        return Frame(self._name, self._sequence, time_s, shot.color.copy(), depth_mm, self._opened.color)
+        time_s = self._clock.time_s(shot.device_s, time.monotonic())
+        return Frame(
+            self._name, self._sequence, time_s, shot.color.copy(), depth_mm, self._opened.color,
+            clock_leaps=self._clock.jumps,
+        )  # fmt: skip
 
     def _taken(self) -> Camera:
         if self._camera is None:

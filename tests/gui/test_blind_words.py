@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from fruitgui.gui.blind_words import blind_remedy, blind_text
+from fruitgui.gui.blind_words import blind_remedy, blind_text, sparse_remedy, sparse_text
 from fruitgui.gui.drawn import BeltMap
 from fruitgui.gui.health import warning_message
 from fruitgui.gui.messages import Level
@@ -43,6 +43,26 @@ def test_what_is_blind_is_said(blind: Blind, words: tuple[str, ...]) -> None:
 
 
 @pytest.mark.usefixtures("qapp")
+@pytest.mark.parametrize(
+    ("sparse", "words"),
+    [
+        (LEFT, ("kinect_1: too few pictures", "no other sensor sees the left part of the belt", "0.41–0.65")),
+        (Blind(("a",), None, None, 0.4), ("40", "of the belt")),
+        (NOTHING_LOST, ("another sensor sees every part",)),
+    ],
+)
+def test_what_is_seen_too_seldom_is_said(sparse: Blind, words: tuple[str, ...]) -> None:
+    text = sparse_text(sparse)
+    assert all(word in text for word in words), text
+    assert ("may be missed" in sparse_remedy(sparse)) == sparse.loses_fruit
+    message = warning_message(LiveWarning("part_sparse", "…", sparse.sensors), sparse)
+    assert message.level is (Level.BAD if sparse.loses_fruit else Level.WARN)
+    assert message.what == f"{text}."
+    late = warning_message(LiveWarning("part_sparse", "…", sparse.sensors), None)
+    assert "Too few pictures" in late.what
+
+
+@pytest.mark.usefixtures("qapp")
 def test_a_message_names_the_part_and_what_it_means() -> None:
     message = warning_message(LiveWarning("part_blind", "…", ("kinect_1",)), LEFT)
     assert message.level is Level.BAD
@@ -72,4 +92,5 @@ def test_the_belt_shows_who_is_away_and_says_it(qtbot: QtBot, theme: Theme, qapp
 @pytest.mark.usefixtures("qapp")
 def test_a_driver_that_hangs_is_said_beside_its_picture() -> None:
     assert health_words(SensorHealth("a", Running.RUNNING, hangs=True)) == ("bad", "does not answer")
+    assert health_words(SensorHealth("a", Running.RUNNING, useless=True)) == ("bad", "loses pictures")
     assert health_words(SensorHealth("a", Running.RUNNING, blinded_by=("b",))) == ("warn", "may be blinded")

@@ -20,7 +20,10 @@ from fruitgui.gui.steps.connect.offers import SIMULATED
 from fruitgui.gui.steps.connect.page import ConnectPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.lot import LotPlan
+from fruitgui.records.spells import Spell
 from fruitgui.simulation.scenes import still_scene
+from fruitgui.station.live.blind import Blind
+from fruitgui.station.live.sparse import SparseWatch
 from fruitgui.station.projectors import MeasuredSettling, Projectors
 from fruitgui.station.sources import Connected, DeviceId, DevicesSource, Make, RecordedSource, Sources
 from fruitgui.station.station import Station, StationSensor
@@ -253,6 +256,27 @@ def test_a_silent_sensor_is_said_with_its_remedy(
     assert page.calibrate_action.isEnabled()
 
 
+def test_a_lot_remembers_when_pictures_were_too_few_and_nothing_of_a_pause(
+    qtbot: QtBot, rigged: Session, page: ConnectPage, rendered: FrozenSource, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _start_lot(qtbot, rigged, page, rendered)
+    lot, sparse = rigged.running.lot, Blind(("kinect_1",), (), 0.65, 0.0)
+    assert lot is not None
+
+    def spells() -> list[tuple[Blind, bool]]:
+        found = rigged.store.lots.get(lot.key).spells
+        return [(one.blind, one.to_s is not None) for one in found if one.sort == "sparse"]
+
+    monkeypatch.setattr(SparseWatch, "now", lambda *_: sparse)
+    qtbot.waitUntil(lambda: spells() == [(sparse, False)], timeout=20_000)
+    rigged.running.pause()
+    qtbot.waitUntil(lambda: spells() == [(sparse, True)], timeout=20_000)
+    rigged.running.resume()
+    qtbot.waitUntil(lambda: spells() == [(sparse, True), (sparse, False)], timeout=20_000)
+    monkeypatch.setattr(SparseWatch, "now", lambda *_: None)
+    qtbot.waitUntil(lambda: spells() == [(sparse, True), (sparse, True)], timeout=20_000)
+
+
 def test_while_a_lot_runs_no_sensor_is_changed(
     qtbot: QtBot, rigged: Session, page: ConnectPage, rendered: FrozenSource
 ) -> None:
@@ -273,19 +297,23 @@ def test_a_lot_remembers_when_a_sensor_was_away_and_what_was_not_seen(
     lot = rigged.running.lot
     assert lot is not None
     began_s = time.time()
+
+    def absences() -> list[Spell]:
+        return [one for one in rigged.store.lots.get(lot.key).spells if one.sort == "away"]
+
     rig.sensors[1].broken.set()
-    qtbot.waitUntil(lambda: len(rigged.store.lots.get(lot.key).spells) == 1, timeout=20_000)
+    qtbot.waitUntil(lambda: len(absences()) == 1, timeout=20_000)
     rig.sensors[1].broken.clear()
-    qtbot.waitUntil(lambda: rigged.store.lots.get(lot.key).spells[0].to_s is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: absences()[0].to_s is not None, timeout=20_000)
     rigged.running.pause()
     qtbot.waitUntil(lambda: rigged.running.paused, timeout=20_000)
     rig.sensors[1].broken.set()
     qtbot.waitUntil(lambda: rigged.running.state is not None and rigged.running.state.blind is not None, timeout=20_000)
-    assert len(rigged.store.lots.get(lot.key).spells) == 1, "what passes uncounted is not missed"
+    assert len(absences()) == 1, "what passes uncounted is not missed"
     rigged.running.resume()
-    qtbot.waitUntil(lambda: len(rigged.store.lots.get(lot.key).spells) == 2, timeout=20_000)
+    qtbot.waitUntil(lambda: len(absences()) == 2, timeout=20_000)
     assert rigged.running.close()
-    spell, left = rigged.store.lots.get(lot.key).spells
+    spell, left = absences()
     assert left.to_s is not None, "of a lot that is left open nothing goes on"
     assert began_s - 1.0 <= spell.from_s <= (spell.to_s or 0.0) <= time.time()
     assert spell.blind.sensors == ("kinect_2",)

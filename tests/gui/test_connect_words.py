@@ -31,6 +31,7 @@ def _health(state: Running = Running.RUNNING, **others: object) -> SensorHealth:
         (_health(Running.RUNNING, hangs=True), "bad", "does not answer"),
         (_health(Running.RUNNING, blinded_by=("kinect_2",)), "warn", "may be blinded"),
         (_health(Running.RUNNING, frames=1000, damaged=50), "warn", "loses pictures"),
+        (_health(Running.RUNNING, frames=3, useless=True), "bad", "loses pictures"),
     ],
 )
 def test_how_a_sensor_is(health: SensorHealth | None, expected: str, word: str) -> None:

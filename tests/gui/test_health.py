@@ -8,12 +8,13 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from fruitgui.gui.health import HealthWatch, disk_pill
+from fruitgui.gui.health import HealthWatch
+from fruitgui.gui.pills import disk_pill
 from fruitgui.gui.session import Session
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.top_bar import TopBar
 from fruitgui.gui.translate import Language
-from fruitgui.station.live import LiveState, Phase
+from fruitgui.station.live import LiveState, LiveWarning, Phase
 from fruitgui.station.live.blind import Blind
 
 LEFT = Blind(("kinect_1",), ((0.41, 0.65),), 0.65, 0.3)
@@ -45,6 +46,10 @@ def test_what_is_blind_stands_until_it_is_seen_again(
     assert session.messages.standing is None
     running.state = LiveState(Phase.RUNNING, blind=LEFT)
     watch.look()
+    running.state = LiveState(Phase.RUNNING, sparse=LEFT)
+    watch.look()
+    assert session.messages.standing is not None
+    assert "too few pictures" in session.messages.standing.what
     running.running = False
     watch.look()
     assert session.messages.standing is None, "no line, nothing that it does not see"
@@ -80,3 +85,19 @@ def test_what_holds_and_the_pills_take_over_another_language_at_once(
     assert english.remedy != spanish.remedy
     assert session.messages.standing is not None
     assert session.messages.standing.told() == english
+
+
+def test_a_clock_is_said_to_leap_each_time(
+    qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bar = TopBar(theme)
+    qtbot.addWidget(bar)
+    watch = HealthWatch(session, bar, bar)
+    ticked, running = session.running.ticked, Running(LiveState(Phase.RUNNING))
+    monkeypatch.setattr(session, "running", running)
+    for count in (1, 1, 2):
+        running.state = LiveState(Phase.RUNNING, warnings=(LiveWarning("clock_jumped", "", ("kinect_1",), count),))
+        ticked.emit()
+    said = [one.what for one in session.messages.history]
+    assert said == 2 * ["The clock of kinect_1 leapt: fruit of this moment may be missing or twice."]
+    watch.stop()

@@ -18,6 +18,7 @@ from fruitgui.records.lot import LotPlan
 from fruitgui.records.store import Store, open_store
 from fruitgui.station.live.blind import Blind
 from tests.gui.lots_made import START_S, Clock, run
+from tests.unit.records.test_lots_screen import station_text
 
 pytestmark = pytest.mark.usefixtures("theme")
 
@@ -146,3 +147,12 @@ def test_what_cannot_be_written_leaves_nothing(store: Store, clock: Clock, tmp_p
         write_report(store, lot, tmp_path / "a.pdf", clock.now_s, cancelled=lambda: True)
     assert list(tmp_path.glob("*.pdf")) == []
     assert list(tmp_path.glob(".a.pdf*")) == []
+
+
+def test_the_report_tells_which_device_each_sensor_was(
+    store: Store, clock: Clock, tmp_path: Path, said: list[str]
+) -> None:
+    text = station_text({"left": "A22595U34223", "right": ""})
+    lot = store.lots.start(LotPlan("1184", station_text=text)).key
+    write_report(store, lot, tmp_path / "a.pdf", clock.now_s)
+    assert "the devices: left (A22595U34223)." in " ".join(said)

@@ -128,6 +128,19 @@ def test_what_was_not_seen_is_said_with_how_long_and_who_was_away() -> None:
     assert unseen_text(_lot(), 2010.0) == ""
 
 
+def test_what_was_seen_too_seldom_is_said_apart() -> None:
+    left, less = Blind(("kinect_2",), ((0.41, 0.65),), 0.65, 0.3), Blind(("kinect_1",), (), 0.65, 0.0)
+    spells = (Spell(1100.0, 1137.0, less, "sparse"), Spell(1200.0, 1260.0, left, "sparse"), Spell(2000.0, None, left))
+    text = unseen_text(_lot(spells=spells), 2010.0).replace("\u2009", " ")
+    assert text == (
+        "For 10 s (1×, kinect_2) fruit may have passed unseen; "
+        "for 60 s (1×, kinect_2) few pictures came, fruit may be missing; "
+        "for 37 s (1×, kinect_1) few pictures came, sizes are less sure"
+    )
+    (_, _, told), *_ = spell_texts(_lot(spells=spells), 2010.0, 3)
+    assert "too few pictures at this speed" in told
+
+
 def test_a_moved_rig_and_clocks_that_leapt_are_said_with_who_it_was() -> None:
     moved = Trouble("moved", 1100.0, None, ("kinect_2",))
     leaps = [Trouble("clock_jumped", at_s, at_s, ("kinect_1",)) for at_s in (1200.0, 1300.0)]

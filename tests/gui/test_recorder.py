@@ -11,8 +11,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
-from fruitgui.gui.health import recording_pill
 from fruitgui.gui.messages import Level
+from fruitgui.gui.pills import recording_pill
 from fruitgui.gui.recorder_words import clock_time, recorded_message, room_text, size_text
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_sources

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -24,6 +26,9 @@ ENTRY_M = -0.9
 
 SENSORS_M = (-0.06, 0.06)
 """Where the sensors stand along the belt; the first is the reference."""
+
+WHOLE_TO_M = 0.3
+"""While a ball is so far from the middle along the belt, both sensors see it whole."""
 
 COLORS = ((200, 60, 40), (60, 170, 50), (210, 180, 50))
 _BELT, _NOISE_PICTURES = 70, 8
@@ -64,10 +69,20 @@ def ball(number: int, seed: int) -> Ball:
 
 
 class Belt:
-    """What the Kinects see. A `Scene` of the player; time is seconds since the player began."""
+    """What the Kinects see. A `Scene` of the player; time is seconds since the player began.
 
-    def __init__(self, seed: int) -> None:
+    Args:
+        seed: of the balls.
+        well: tells whether a Kinect is to give at a time what it sees; what others give, nobody is held to.
+
+    Attributes:
+        pictured: of each Kinect, how often it took a picture of a ball that both see whole, by the ball's number.
+    """
+
+    def __init__(self, seed: int, well: Callable[[int, float], bool] = lambda _kinect, _time_s: True) -> None:
         self._seed = seed
+        self._well = well
+        self.pictured: tuple[Counter[int], ...] = tuple(Counter() for _ in SENSORS_M)
         rng = np.random.default_rng([seed, 41])
         self._raw = [
             (raw_of(np.full((480, 640), HEIGHT_M)) + rng.normal(0.0, 0.7, (480, 640)).round()).astype(np.uint16)
@@ -78,9 +93,11 @@ class Belt:
     def __call__(self, kinect: int, time_s: float) -> tuple[U16, U8]:
         """Return raw depth and the colour camera's raw pixels."""
         raw, bayer = self._raw[round(time_s * 30.0) % _NOISE_PICTURES].copy(), self._bayer.copy()
-        last = int(time_s / SPACING_S)
+        last, well = int(time_s / SPACING_S), self._well(kinect, time_s)
         for number in range(max(last - 8, 0), last + 1):
-            self._paint(ball(number, self._seed), kinect, time_s, raw, bayer)
+            one = ball(number, self._seed)
+            self._paint(one, kinect, time_s, raw, bayer)
+            self.pictured[kinect][number] += well and abs(one.x_m(time_s)) < WHOLE_TO_M
         return raw, bayer
 
     def _paint(self, one: Ball, kinect: int, time_s: float, raw: U16, bayer: U8) -> None:

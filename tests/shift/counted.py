@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from fruitgui.sensors.turns import VIEWS_NEEDED
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.sink import CountedFruit, Crop, FruitSink
-from tests.shift.belt import ENTRY_M, SENSORS_M, SPACING_S, SPEED_M_S, Ball, ball
+from tests.shift.belt import ENTRY_M, SENSORS_M, SPACING_S, SPEED_M_S, WHOLE_TO_M, Ball, ball
 
-SEEN_FROM_S, SEEN_TO_S = ((end_m - ENTRY_M) / SPEED_M_S for end_m in (-0.3, 0.3))
-"""While a ball is so far along the belt, both sensors see it whole."""
+SEEN_FROM_S, SEEN_TO_S = ((end_m - ENTRY_M) / SPEED_M_S for end_m in (-WHOLE_TO_M, WHOLE_TO_M))
+"""After its own time, from when on and how long both sensors see a ball whole."""
 
 NEAR_S, NEAR_M = 0.5 * SPACING_S, 0.03
 
@@ -23,7 +24,8 @@ class Count:
     """How the balls were counted.
 
     Attributes:
-        passed: balls that came and went in sight of at least one sensor.
+        passed: balls that came and went in sight, of which sensors that were well took pictures enough. On a machine
+            that starves for seconds none are taken, and nobody can be held to what was never pictured.
         missed: of these, not counted. twice: counted more than once. strange: counted, and no ball.
         volume_error: median relative error of the volumes of those that were counted.
     """
@@ -68,7 +70,13 @@ class SeenSink:
         return counted
 
 
-def counted(fruit: Sequence[Sighting], began_s: float, span_s: tuple[float, float], seed: int) -> Count:
+def counted(
+    fruit: Sequence[Sighting],
+    began_s: float,
+    span_s: tuple[float, float],
+    seed: int,
+    pictured: Sequence[Mapping[int, int]],
+) -> Count:
     """Hold what was counted against the balls that passed.
 
     Args:
@@ -76,12 +84,19 @@ def counted(fruit: Sequence[Sighting], began_s: float, span_s: tuple[float, floa
         began_s: of the belt's time, by the line's clock.
         span_s: in the belt's time, when the sensors began and when the shift ended.
         seed: of the belt.
+        pictured: of each sensor, how many pictures it took of each ball while it was well, see `Belt`.
     """
     from_s, to_s = span_s
     balls = [ball(number, seed) for number in range(int(to_s / SPACING_S) + 1)]
     found = [_ball_of(one, began_s, balls) for one in fruit]
     often = Counter(one.number for one in found if one is not None)
-    passed = [one.number for one in balls if from_s < one.time_s + SEEN_FROM_S and one.time_s + SEEN_TO_S < to_s]
+    passed = [
+        one.number
+        for one in balls
+        if from_s < one.time_s + SEEN_FROM_S
+        and one.time_s + SEEN_TO_S < to_s
+        and sum(taken.get(one.number, 0) for taken in pictured) >= VIEWS_NEEDED
+    ]
     errors = [
         one.volume_m3 / (4 / 3 * np.pi * true.radius_m**3) - 1
         for one, true in zip(fruit, found, strict=True)

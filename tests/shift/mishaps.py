@@ -31,6 +31,10 @@ class Mishap:
     to_s: float
     faults: tuple[Fault, ...]
 
+    def troubles(self, kinect: int, time_s: float) -> bool:
+        """Tell whether a Kinect need not give anything at a time because of it."""
+        return kinect == self.kinect and self.from_s <= time_s <= self.to_s + RECOVERY_S
+
 
 def mishaps(seed: int, seconds: float, kinects: int) -> list[Mishap]:
     """Draw the mishaps of a shift of so many seconds; each kind comes in turn, so that a short shift has them all."""

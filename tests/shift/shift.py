@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gc
-import logging
 import threading
 from dataclasses import dataclass
 from pathlib import Path
@@ -64,6 +63,7 @@ class Outcome:
         happened, unsaid: what went wrong, and what of it nobody said.
         frames, skipped: of the line.
         warnings: of the line, in words.
+        leaps: of clocks, that the line warned of.
         quarter, end: what was in use after the first quarter, and at the end, both while it ran.
         threads_left: when all was stopped.
     """
@@ -78,22 +78,10 @@ class Outcome:
     frames: int
     skipped: int
     warnings: tuple[str, ...]
+    leaps: int
     quarter: InUse
     end: InUse
     threads_left: int
-
-
-class _Jumps(logging.Handler):
-    """Notes when the log says that a clock jumped."""
-
-    def __init__(self, time: FastTime) -> None:
-        super().__init__()
-        self._time = time
-        self.at_s: list[float] = []
-
-    def emit(self, record: logging.LogRecord) -> None:
-        if "jumped" in record.getMessage():
-            self.at_s.append(self._time.now_s())
 
 
 def run(usb: Emulation, seconds: float, seed: int, folder: Path) -> Outcome:
@@ -121,9 +109,8 @@ def _run(usb: Emulation, seconds: float, seed: int, store: Store) -> Outcome:
     feed, sink = Feed(source.connect().sensors), SeenSink(store)
     lot = store.lots.start(LotPlan("Shift")).key
     line = LiveLine(feed, belt.station(feed.sensors, SERIALS), None, BufferedSink(sink), lot, LIVE)
-    player = Player(usb, belt.Belt(seed), [fault for one in happening for fault in one.faults], HOLD_MS, seed)
-    jumps = _Jumps(time)
-    logging.getLogger("fruitgui.sensors.kinect").addHandler(jumps)
+    scene = belt.Belt(seed, lambda kinect, time_s: not any(one.troubles(kinect, time_s) for one in happening))
+    player = Player(usb, scene, [fault for one in happening for fault in one.faults], HOLD_MS, seed)
     player.start()
     line.start()
     feed.start()
@@ -143,14 +130,15 @@ def _run(usb: Emulation, seconds: float, seed: int, store: Store) -> Outcome:
     return Outcome(
         ended_s,
         time.real_s() - real_s,
-        counted(sink.seen, player.began_s, (began_s - player.began_s, ended_s), seed),
+        counted(sink.seen, player.began_s, (began_s - player.began_s, ended_s), seed, scene.pictured),
         len(sink.seen),
         sum(one.fruit for one in store.lots.totals(lot)),
         tuple(happening),
-        tuple(unsaid(happening, watcher.said, [at_s - player.began_s for at_s in jumps.at_s])),
+        tuple(unsaid(happening, watcher.said)),
         state.frames,
         state.skipped,
         tuple(warning.text for warning in state.warnings),
+        sum(warning.count for warning in state.warnings if warning.code == "clock_jumped"),
         quarter,
         end,
         _settled(time),

@@ -20,6 +20,7 @@ def test_a_shift_in_which_everything_goes_wrong_once(usb: Emulation, tmp_path: P
     outcome = run(usb, 60.0 * MINUTES, SEED, tmp_path)
     assert len({one.what for one in outcome.happened}) == 7
     assert outcome.unsaid == ()
+    assert outcome.leaps >= sum(one.what == "clock_jump" for one in outcome.happened)
     assert outcome.count.passed > 60
     assert (outcome.count.missed, outcome.count.twice, outcome.count.strange) == ((), (), 0)
     assert abs(outcome.count.volume_error) < 0.05

@@ -23,6 +23,7 @@ class Said:
     code: str
     damaged: int
     drops: int
+    leaps: int
 
 
 class Watcher:
@@ -44,34 +45,34 @@ class Watcher:
         self._thread.join()
 
     def _watch(self) -> None:
-        before: dict[str, tuple[Running, str, int, int]] = {}
+        before: dict[str, tuple[Running, str, int, int, int]] = {}
         while not self._stop.is_set():
             for kinect, sensor in enumerate(self._feed.sensors):
                 health = self._feed.health(sensor)
-                now = (health.state, health.error.code if health.error else "", health.damaged, health.drops)
+                code = health.error.code if health.error else ""
+                now = (health.state, code, health.damaged, health.drops, health.clock_leaps)
                 if now != before.get(sensor):
                     before[sensor] = now
                     self.said.append(Said(self._time.now_s() - self._began_s, kinect, *now))
             self._time.really_sleep(LOOK_S)
 
 
-def unsaid(mishaps: Sequence[Mishap], said: Sequence[Said], jumps: Sequence[float]) -> list[Mishap]:
+def unsaid(mishaps: Sequence[Mishap], said: Sequence[Said]) -> list[Mishap]:
     """Return the mishaps of which nothing was said.
 
     Args:
         mishaps: what happened.
         said: what was said, in order.
-        jumps: when clocks were said to have jumped.
     """
-    return [one for one in mishaps if not _was_said(one, said, jumps)]
+    return [one for one in mishaps if not _was_said(one, said)]
 
 
-def _was_said(mishap: Mishap, said: Sequence[Said], jumps: Sequence[float]) -> bool:
+def _was_said(mishap: Mishap, said: Sequence[Said]) -> bool:
     until_s = mishap.to_s + RECOVERY_S
-    if mishap.what == "clock_jump":
-        return any(mishap.from_s <= at_s <= until_s for at_s in jumps)
     before = [one for one in said if one.kinect == mishap.kinect and one.time_s < mishap.from_s]
     during = [one for one in said if one.kinect == mishap.kinect and mishap.from_s <= one.time_s <= until_s]
+    if mishap.what == "clock_jump":
+        return bool(during and before) and during[-1].leaps > before[-1].leaps
     troubled = any(one.state in (Running.SILENT, Running.FAILED) for one in during)
     if mishap.what in ("loss", "garbage") and during and before:
         last, first = during[-1], before[-1]

@@ -50,8 +50,10 @@ class SensorHealth:
         frames: handed on since the feed was started.
         drops: frames that the device numbered and nobody got.
         damaged: frames that lost a part on their way; nobody got those either.
+        clock_leaps: how often the device's clock leapt; its frames' times went on by the host's.
         age_s: of the newest frame; None before the first.
         reopened: how often it was opened again.
+        useless: pictures come, but all damaged, for as long as one without any would be silent.
         hangs: its driver does not come back from a call.
         blinded_by: sensors whose driver hangs while their projectors may be on, in what should be this one's turn.
         color_lock: whether exposure and white balance stay as they are.
@@ -66,8 +68,10 @@ class SensorHealth:
     frames: int = 0
     drops: int = 0
     damaged: int = 0
+    clock_leaps: int = 0
     age_s: float | None = None
     reopened: int = 0
+    useless: bool = False
     hangs: bool = False
     blinded_by: tuple[str, ...] = ()
     color_lock: ColorLock = ColorLock.UNKNOWN
@@ -81,11 +85,18 @@ class Pulse:
         self.frames = 0
         self.drops = 0
         self.damaged = 0
+        self.clock_leaps = 0
+        self._leaps_before = 0
         self._last_sequence: int | None = None
         self._arrivals: deque[float] = deque(maxlen=256)
 
     def begin(self) -> None:
-        """Forget the device's numbering: it was opened anew, or was dark."""
+        """Forget the device's counts: it was opened anew."""
+        self._leaps_before = 0
+        self.begin_turn()
+
+    def begin_turn(self) -> None:
+        """Forget the device's numbering: it was dark."""
         self._last_sequence = None
 
     def number(self, sequence: int) -> None:
@@ -93,6 +104,11 @@ class Pulse:
         if self._last_sequence is not None and sequence > self._last_sequence + 1:
             self.drops += sequence - self._last_sequence - 1
         self._last_sequence = sequence
+
+    def leap(self, leaps: int) -> None:
+        """Note how often the device's clock has leapt since it was opened."""
+        self.clock_leaps += max(leaps - self._leaps_before, 0)
+        self._leaps_before = leaps
 
     def beat(self, now_s: float) -> None:
         """Count a frame that is handed on."""

@@ -120,8 +120,10 @@ class Reader:
             frames=self._pulse.frames,
             drops=self._pulse.drops,
             damaged=self._pulse.damaged,
+            clock_leaps=self._pulse.clock_leaps,
             age_s=None if newest_s is None else now_s - newest_s,
             reopened=max(self._tried - 1, 0),
+            useless=state is Running.RUNNING and self._patience.useless_s(now_s) > silent_after_s(self._nominal_hz),
             hangs=self._sensor.hangs,
             blinded_by=self._keeper.blinding(self.name) if turns else (),
             color_lock=self._sensor.info.color_lock,
@@ -180,7 +182,7 @@ class Reader:
                 heard = self._take() or heard
                 self._judge_silence(heard)
             elif order is Order.ON:
-                self._pulse.begin()
+                self._pulse.begin_turn()
             else:
                 self._patience.rest(time.monotonic())
                 self._listen()
@@ -192,10 +194,11 @@ class Reader:
         except SensorTimeoutError:
             return False
         now_s, lit = time.monotonic(), self._seat.light()
-        self._patience.hear(now_s)
+        self._patience.hear(now_s, of_use=not frame.damaged)  # one in light that settles is what is to come then
         self._patience.rest(now_s)  # whoever makes this thread wait for room has the sensor owe nothing
         self._state, self._error = Running.RUNNING, None
         self._pulse.number(frame.sequence)
+        self._pulse.leap(frame.clock_leaps)
         if frame.damaged:
             self._pulse.damaged += 1
         elif lit is not None and (lit.settled or lit.rehearsed):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import threading
 import time
 from collections import deque
@@ -14,8 +13,6 @@ from fruitgui.sensors.kinect.clock import FRAME_TICKS, TICKS_PER_S, TickCounter
 from fruitgui.sensors.kinect.device import Picture
 from fruitgui.sensors.kinect.packets import Stream
 from fruitgui.sensors.kinect.pairing import ColorPicture, DepthPicture, Pair, Pairing
-
-log = logging.getLogger(__name__)
 
 _KEPT = 4
 """Captures that wait to be read; the oldest give way, and their numbers are missing."""
@@ -29,22 +26,19 @@ class Capture:
         pair: depth with its colour.
         sequence: counts what the device took while its projector was on, from 0.
         time_s: when depth was taken, by the host's monotonic clock.
+        clock_leaps: how often the device's clock has leapt by then: whatever is read next tells of it.
     """
 
     pair: Pair
     sequence: int
     time_s: float
+    clock_leaps: int
 
 
 class Captures:
-    """What one device took. `hear` and `end` are called by the device's thread, everything else by the reader.
+    """What one device took. `hear` and `end` are called by the device's thread, everything else by the reader."""
 
-    Args:
-        serial: of the device.
-    """
-
-    def __init__(self, serial: str) -> None:
-        self._serial = serial
+    def __init__(self) -> None:
         self._ticks = TickCounter()
         self._clock = HostClock()
         self._pairing = Pairing()
@@ -102,11 +96,8 @@ class Captures:
         steps = 1 if self._last_ticks is None else round((ticks - self._last_ticks) / FRAME_TICKS)
         self._sequence += min(max(steps, 1), _MOST_STEPS)
         self._last_ticks = ticks
-        jumps = self._clock.jumps
         time_s = self._clock.time_s(ticks / TICKS_PER_S, pair.depth.arrived_s)
-        if self._clock.jumps > jumps:
-            log.warning("The clock of Kinect %s jumped; its times go on by the host's clock.", self._serial)
-        return Capture(pair, self._sequence, time_s)
+        return Capture(pair, self._sequence, time_s, self._clock.jumps)
 
 
 _MOST_STEPS = 10 * 30

@@ -56,7 +56,7 @@ class KinectSensor:
         self._color = NOMINAL_COLOR
         self._table: U16 | None = None
         self._registration: Registration | None = None
-        self._captures = Captures(serial)
+        self._captures = Captures()
         self._device: Device | None = None
         self._session: Session | None = None
         self._shining = True
@@ -77,7 +77,7 @@ class KinectSensor:
         """
         self.close()
         self._left.check(self._serial)
-        captures = Captures(self._serial)
+        captures = Captures()
         device = self._make_device(captures.hear)
         session = Session(device, self._serial, lambda: captures.end(session.failure))
         self._session, self._device, self._captures = session, device, captures
@@ -127,6 +127,7 @@ class KinectSensor:
             self._color,
             damaged=not pair.whole,
             felt_m_s2=self._felt_m_s2,
+            clock_leaps=capture.clock_leaps,
         )
 
     def projector(self, on: bool) -> None:

@@ -1,4 +1,4 @@
-"""Which part of the belt nobody sees while sensors are away."""
+"""Which part of the belt nobody sees, or not often enough, while sensors are away or give too few pictures."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 
 from fruitgui.frame import F64, U8, Bools
+from fruitgui.sensors.turns import VIEWS_NEEDED
 
 CELL_M = 0.005
 LEAST_WAY_M = 0.10
@@ -23,10 +24,10 @@ SUB_PX_BITS = 4
 
 @dataclass(frozen=True, slots=True)
 class Blind:
-    """What is not seen.
+    """What is not seen, or not often enough.
 
     Attributes:
-        sensors: those that are away, by the station's ids.
+        sensors: those that are away, or give too few pictures, by the station's ids.
         lanes_m: stripes along the belt on which fruit pass unseen, each (from, to) in metres from the belt's right
             edge as seen by all sensors together, looking the way it runs; None while that way is not known.
         width_m: of the belt, from that edge on; None likewise.
@@ -110,13 +111,26 @@ def blind_words(blind: Blind) -> str:
     begin = f"Sensor {names} gives nothing" if len(blind.sensors) == 1 else f"Sensors {names} give nothing"
     if not blind.loses_fruit:
         return f"{begin}; every part of the belt is seen by another, so fruit are counted, but measured less surely."
+    return f"{begin}; {_parts(blind)} is seen by no sensor, and fruit there are not counted."
+
+
+def sparse_words(blind: Blind) -> str:
+    """Return likewise that sensors give too few pictures for the belt's speed."""
+    gives = "gives" if len(blind.sensors) == 1 else "give"
+    names = ("Sensor " if len(blind.sensors) == 1 else "Sensors ") + ", ".join(blind.sensors)
+    begin = f"{names} {gives} fewer than {VIEWS_NEEDED} pictures of a fruit at this speed of the belt"
+    if not blind.loses_fruit:
+        return f"{begin}; every part of it is seen by another, so fruit are counted, but measured less surely."
+    return f"{begin}; {_parts(blind)} is seen by no other sensor, and fruit there may be missed."
+
+
+def _parts(blind: Blind) -> str:
     if blind.lanes_m is None or blind.width_m is None:
         percent = max(floor(100 * blind.share), 1)  # what is not the whole is never called so
-        return f"{begin}; {percent}% of the belt is seen by no sensor, and fruit there are not counted."
-    lanes = ", ".join(
+        return f"{percent}% of the belt"
+    return ", ".join(
         "the whole belt"
         if side == "whole"
         else f"the {side} part of the belt ({lane[0]:.2f}–{lane[1]:.2f} m from its right edge, looking the way it runs)"
         for side, lane in zip(blind.sides, blind.lanes_m, strict=True)
     )
-    return f"{begin}; {lanes} is seen by no sensor, and fruit there are not counted."

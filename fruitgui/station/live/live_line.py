@@ -157,6 +157,7 @@ class LiveLine:
             dropped=subscription.dropped if subscription else {},
             skipped=self._skipped,
             blind=self._sensors.blind,
+            sparse=self._sensors.sparse,
             sink=self._counting.sink_state,
             warnings=self.warnings,
         )
@@ -187,8 +188,11 @@ class LiveLine:
             self._perceived.put(None)
 
     def _watch_sensors(self) -> None:
+        self._watch(partial(self._sensors.look, self._feed.health, time.monotonic()))
+
+    def _watch(self, look: Callable[[], None]) -> None:
         try:
-            self._sensors.look(self._feed.health, time.monotonic())
+            look()
         except Exception as error:  # noqa: BLE001 - the line goes on without; it is said
             self._warnings.add("not_watched", f"Whether every sensor gives pictures is not known: {error}", ())
 
@@ -241,6 +245,7 @@ class LiveLine:
             return leaving
         self._frames += 1
         self._latencies.append(time.monotonic() - perceived.arrival.arrived_s)
+        self._watch(partial(self._sensors.see, observation.sensor, perceived.look.time_s, self._following.velocity_m_s))
         self._look_on(leaving, (sensor,), partial(self._showing.show, perceived.arrival, observation))
         return leaving
 

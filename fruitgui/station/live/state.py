@@ -219,6 +219,7 @@ class LiveState:
         backlog: frames that wait. waiting_fruit: fruit that wait to be measured or kept.
         dropped: frames by sensor that the line had no time for. skipped: frames that could not be used.
         blind: what of the belt nobody sees now; None while every sensor is there.
+        sparse: likewise what nobody sees often enough; None while every sensor that is there gives enough pictures.
         sink: how the store fares.
         warnings: what a person should know.
     """
@@ -239,5 +240,6 @@ class LiveState:
     dropped: Mapping[str, int] = field(default_factory=dict)
     skipped: int = 0
     blind: Blind | None = None
+    sparse: Blind | None = None
     sink: SinkState = SinkState()  # noqa: RUF009 - frozen
     warnings: tuple[LiveWarning, ...] = ()

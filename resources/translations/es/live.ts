@@ -89,6 +89,10 @@
         <translation>puede estar deslumbrado</translation>
     </message>
     <message>
+        <source>loses pictures</source>
+        <translation>pierde imágenes</translation>
+    </message>
+    <message>
         <source>starting</source>
         <translation>arrancando</translation>
     </message>

@@ -432,6 +432,10 @@
         <translation>Las masas son sumas {of}, de densidad conocida.</translation>
     </message>
     <message>
+        <source>Sensors, with the serials of the devices: {sensors}.</source>
+        <translation>Sensores, con la serie de cada equipo: {sensors}.</translation>
+    </message>
+    <message>
         <source>How the fruit are spread</source>
         <translation>Cómo se reparte la fruta</translation>
     </message>
@@ -568,6 +572,14 @@
     <message>
         <source>for {time} ({count}×, {sensors}) sizes are less sure</source>
         <translation>durante {time} ({count}×, {sensors}) los tamaños son menos seguros</translation>
+    </message>
+    <message>
+        <source>for {time} ({count}×, {sensors}) few pictures came, fruit may be missing</source>
+        <translation>durante {time} ({count}×, {sensors}) llegaron pocas imágenes, puede faltar fruta</translation>
+    </message>
+    <message>
+        <source>for {time} ({count}×, {sensors}) few pictures came, sizes are less sure</source>
+        <translation>durante {time} ({count}×, {sensors}) llegaron pocas imágenes, los tamaños son menos seguros</translation>
     </message>
     <message>
         <source>Moved since calibrated, from {time} on ({sensors}): sizes and counts may be wrong</source>

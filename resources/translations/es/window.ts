@@ -70,6 +70,18 @@
         <translation>Falta {sensors}: ningún sensor ve {lanes}</translation>
     </message>
     <message>
+        <source>{sensors}: too few pictures at this speed; another sensor sees every part of the belt</source>
+        <translation>{sensors}: pocas imágenes para esta velocidad; otro sensor ve cada parte de la cinta</translation>
+    </message>
+    <message>
+        <source>{sensors}: too few pictures at this speed; no other sensor sees {share} of the belt</source>
+        <translation>{sensors}: pocas imágenes para esta velocidad; ningún otro sensor ve el {share} de la cinta</translation>
+    </message>
+    <message>
+        <source>{sensors}: too few pictures at this speed; no other sensor sees {lanes}</source>
+        <translation>{sensors}: pocas imágenes para esta velocidad; ningún otro sensor ve {lanes}</translation>
+    </message>
+    <message>
         <source>any of the belt</source>
         <translation>nada de la cinta</translation>
     </message>
@@ -93,6 +105,14 @@
         <source>Sizes are less sure meanwhile. Check cable and power; it starts again by itself.</source>
         <translation>Mientras tanto los tamaños son menos seguros. Revise cable y corriente; vuelve a arrancar solo.</translation>
     </message>
+    <message>
+        <source>Fruit there may be missed. Slow the belt down; step 1 says why pictures are lost.</source>
+        <translation>Ahí puede perderse fruta. Baje la velocidad de la cinta; el paso 1 dice por qué se pierden imágenes.</translation>
+    </message>
+    <message>
+        <source>Sizes are less sure meanwhile. Slow the belt down; step 1 says why pictures are lost.</source>
+        <translation>Mientras tanto los tamaños son menos seguros. Baje la velocidad de la cinta; el paso 1 dice por qué se pierden imágenes.</translation>
+    </message>
 </context>
 <context>
     <name>Health</name>
@@ -113,14 +133,6 @@
         <translation>Haga espacio en el disco. El conteo sigue, y lo que espera se guarda entonces.</translation>
     </message>
     <message>
-        <source>The clock of {sensors} leapt; it is followed on from there.</source>
-        <translation>El reloj de {sensors} saltó; se sigue desde ahí.</translation>
-    </message>
-    <message>
-        <source>If this comes back, unplug the sensor and plug it in again.</source>
-        <translation>Si se repite, desenchufe el sensor y enchúfelo de nuevo.</translation>
-    </message>
-    <message>
         <source>The clock of {sensors} was off and was put right, judged by the fruit.</source>
         <translation>El reloj de {sensors} estaba desfasado y se corrigió según la fruta.</translation>
     </message>
@@ -135,6 +147,14 @@
     <message>
         <source>Connect the sensors that were calibrated, or calibrate again.</source>
         <translation>Conecte los sensores que se calibraron, o calibre de nuevo.</translation>
+    </message>
+    <message>
+        <source>The clock of {sensors} leapt: fruit of this moment may be missing or twice.</source>
+        <translation>El reloj de {sensors} saltó: puede faltar fruta de este momento o estar dos veces.</translation>
+    </message>
+    <message>
+        <source>It is followed on from there. If this comes back, unplug the sensor and plug it in again.</source>
+        <translation>Se sigue desde ahí. Si se repite, desenchufe el sensor y enchúfelo de nuevo.</translation>
     </message>
     <message>
         <source>No fruit was counted before; nothing is to be done.</source>
@@ -163,6 +183,14 @@
     <message>
         <source>Fruit that only it sees were not counted. Check cable and power.</source>
         <translation>Las frutas que solo él ve no se contaron. Revise cable y corriente.</translation>
+    </message>
+    <message>
+        <source>Too few pictures came from {sensors} for a while.</source>
+        <translation>Durante un rato llegaron pocas imágenes de {sensors}.</translation>
+    </message>
+    <message>
+        <source>Fruit that only it sees may be missing. Step 1 says why pictures are lost.</source>
+        <translation>Puede faltar fruta que solo ve ese sensor. El paso 1 dice por qué se pierden imágenes.</translation>
     </message>
     <message>
         <source>A driver hangs, and a projector may be on out of its turn: {sensors}.</source>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import math
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -17,6 +18,8 @@ from hypothesis import strategies as st
 from sqlalchemy import Engine, event
 
 from fruitgui.errors import CancelledByUserError, InputError
+from fruitgui.geometry.plane import Plane, Surface
+from fruitgui.geometry.pose import Pose
 from fruitgui.measurement.sums import USUAL_SHARE
 from fruitgui.records.fruit_search import FruitQuery, Which
 from fruitgui.records.lot import Lot, LotPlan
@@ -25,6 +28,8 @@ from fruitgui.records.lot_report import report_lot
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.store import Store, open_store
 from fruitgui.station.live.blind import Blind
+from fruitgui.station.station import Station, StationSensor
+from fruitgui.station.station_file import station_value
 from tests.unit.records.conftest import Clock
 from tests.unit.station.fruit_made import KINDS, made_crops, made_fruit
 
@@ -216,9 +221,12 @@ def test_a_lot_as_csv_says_which_sensors_were_away_for_which_fruit_and_for_how_l
     clock.now_s += 60.0
     store.spells.note(lot.key, Blind(("kinect_2",), ((0.4, 0.6),), 0.6, 0.3))
     one_passes(1)
-    clock.now_s += 30.0
+    clock.now_s += 10.0
+    store.spells.note(lot.key, Blind(("kinect_3",), None, None, 0.2), "sparse")
+    clock.now_s += 20.0
     store.spells.note(lot.key, Blind(("kinect_1",), (), 0.6, 0.0))
     one_passes(2)
+    store.spells.note(lot.key, None, "sparse")
     clock.now_s += 0.5 * _in_view_s(3)
     store.spells.note(lot.key, None)
     clock.now_s += 0.25 * _in_view_s(3)
@@ -232,7 +240,8 @@ def test_a_lot_as_csv_says_which_sensors_were_away_for_which_fruit_and_for_how_l
     assert write_lot(store, lot.key, path, now_s=clock.now_s) == 6
     rows = list(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
     assert [row["sensors_away"] for row in rows] == ["", "kinect_2", "kinect_1", "kinect_1", "", ""]
-    assert {row["lot_unseen_s"] for row in rows} == {"95"}
+    assert [row["sensors_sparse"] for row in rows] == ["", "", "kinect_3", "kinect_3", "", ""]
+    assert {row["lot_unseen_s"] for row in rows} == {"155"}, "what two had in common counts once"
 
 
 def _in_view_s(number: int) -> float:
@@ -311,3 +320,31 @@ def test_the_largest_of_a_kind_are_read_off_an_index(store: Store) -> None:
 def test_a_page_of_lots_goes_through_no_fruit(store: Store, lot: Lot) -> None:
     _fill(store, lot, range(3))
     assert "fruit" not in _plan(store, lambda: store.lots.find(LotQuery()))
+
+
+def station_text(serials: dict[str, str]) -> str:
+    """Return a station's file whose sensors are these devices."""
+    surface = Surface(
+        Plane(np.array([0.0, 0.0, -1.0]), 1.0), np.array([[-0.3, -0.3, 1.0], [0.3, -0.3, 1.0], [0.0, 0.3, 1.0]])
+    )
+    sensors = {name: StationSensor(serial, Pose.exact(), surface) for name, serial in serials.items()}
+    return json.dumps(station_value(Station(next(iter(sensors)), sensors)))
+
+
+@pytest.mark.parametrize(
+    ("text", "sensors"),
+    [
+        (station_text({"left": "A22595U34223", "right": ""}), "left=A22595U34223 right"),
+        ('{"schema": 1}', ""),
+        (None, ""),
+    ],
+)
+def test_a_lot_as_csv_tells_which_device_each_sensor_was(
+    store: Store, tmp_path: Path, text: str | None, sensors: str
+) -> None:
+    lot = store.lots.start(LotPlan("1", station_text=text))
+    _fill(store, lot, range(2))
+    path = tmp_path / "lot.csv"
+    write_lot(store, lot.key, path)
+    rows = csv.DictReader(path.read_text(encoding="utf-8").splitlines())
+    assert [row["lot_sensors"] for row in rows] == 2 * [sensors]

@@ -116,3 +116,22 @@ def _run_and_wait(folder: Path, pipe: Connection) -> None:
         store.spells.note(lot, LEFT)
         pipe.send(lot)
         pipe.recv()
+
+
+def test_what_was_seen_too_seldom_is_kept_apart_from_what_was_not_seen(store: Store, clock: Clock) -> None:
+    lot = store.lots.start(LotPlan("1")).key
+    began_s = clock.now_s
+    store.spells.note(lot, LEFT)
+    clock.now_s += 10.0
+    store.spells.note(lot, LESS, "sparse")
+    clock.now_s += 10.0
+    store.spells.note(lot, None)
+    clock.now_s += 10.0
+    store.spells.note(lot, LESS, "sparse")  # said again: nothing new
+    store.spells.note(lot, None, "sparse")
+    ended = store.lots.end(lot)
+    assert [(one.sort, one.from_s - began_s, (one.to_s or 0.0) - began_s, one.blind) for one in ended.spells] == [
+        ("away", 0.0, 20.0, LEFT),
+        ("sparse", 10.0, 30.0, LESS),
+    ]
+    assert ended.troubles == ()

@@ -6,10 +6,14 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
+from itertools import count
 
 import pytest
 
+from fruitgui.frame import Frame
 from fruitgui.sensors.feed import ByCapture, DropOldest, Feed, Running, WaitForRoom
+from fruitgui.sensors.feed.patience import Patience
 from fruitgui.sensors.sensor import Sensor
 from tests.unit.sensors.scripted import Hang, ScriptedSensor, gone, small_frame, until
 
@@ -241,3 +245,49 @@ def test_starting_and_stopping_many_times_leaves_nothing() -> None:
             until(lambda feed=feed: feed.health("left").frames > 0)
             left.end()
     assert threading.active_count() == before
+
+
+def test_leaps_of_a_clock_are_counted_on_when_it_is_opened_again() -> None:
+    left = ScriptedSensor("left")
+
+    def leapt(sequence: int, leaps: int) -> Frame:
+        return replace(small_frame("left", sequence), clock_leaps=leaps)
+
+    with running(left) as feed:
+        left.give(leapt(0, 0), leapt(1, 1), leapt(2, 1), replace(leapt(3, 2), damaged=True))
+        until(lambda: feed.health("left").damaged == 1)
+        assert feed.health("left").clock_leaps == 2
+        left.give(gone("left"), leapt(0, 0), leapt(1, 1))
+        until(lambda: feed.health("left").frames == 5)
+        assert feed.health("left").clock_leaps == 3
+
+
+def test_one_that_gives_only_damaged_pictures_runs_and_is_of_no_use() -> None:
+    left = ScriptedSensor("left", [small_frame("left", 0)])
+    sequence = count(1)
+
+    def damaged() -> None:
+        left.give(replace(small_frame("left", next(sequence)), damaged=True))
+
+    with running(left) as feed:
+        until(lambda: feed.health("left").frames == 1)
+        until(lambda: damaged() or feed.health("left").useless)
+        health = feed.health("left")
+        assert (health.state, health.reopened, health.frames) == (Running.RUNNING, 0, 1)
+        left.give(small_frame("left", next(sequence)))
+        until(lambda: not feed.health("left").useless)
+
+
+def test_patience_counts_what_is_owed_while_it_is_to_come_and_what_is_of_use_apart() -> None:
+    patience = Patience()
+    patience.expect(10.0)
+    patience.hear(11.0, of_use=False)
+    patience.rest(12.0)
+    patience.expect(20.0)
+    assert (patience.owed_s(20.5), patience.useless_s(20.5)) == (1.5, 2.5)
+    patience.hear(21.0, of_use=False)
+    assert (patience.owed_s(21.0), patience.useless_s(21.0)) == (0.0, 3.0)
+    patience.hear(22.0)
+    assert patience.useless_s(22.5) == 0.5
+    patience.forget()
+    assert patience.useless_s(30.0) == 0.0

@@ -461,3 +461,19 @@ def test_starting_and_stopping_many_times_leaves_nothing() -> None:
             until(lambda line=line: line.state.frames > 0, 60.0)
             left.end()
     assert threading.active_count() == before
+
+
+@pytest.mark.parametrize(("every", "said"), [(2, set()), (8, {"part_sparse"})])
+def test_damaged_pictures_are_said_from_when_on_fruit_may_be_missed(every: int, said: set[str]) -> None:
+    """At 0.24 m/s a fruit takes some three seconds through the view; a picture comes each 0.2 s."""
+    frames = passing("left")
+    left = Small("left", [replace(one, damaged=number % every > 0) for number, one in enumerate(frames)])
+    left.end()
+    line, feed, _ = line_of(left)
+    with running(line, feed):
+        assert line.wait(60.0)
+        state = line.state
+        assert state.health[0].damaged == sum(number % every > 0 for number in range(len(frames)))
+        assert {one.code for one in state.warnings} == said
+        assert [one.sensors for one in state.warnings] == [("left",)] * len(said)
+        assert (state.sparse is not None) == bool(said)

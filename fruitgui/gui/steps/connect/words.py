@@ -75,9 +75,9 @@ def _running(health: SensorHealth) -> Condition:
             "warn", translate("Connect", "may be blinded"), text.format(sensors=", ".join(health.blinded_by))
         )
     lost = health.drops + health.damaged
-    if health.frames > LOST_SHARE**-1 and lost > LOST_SHARE * (health.frames + lost):
+    if health.useless or (health.frames > LOST_SHARE**-1 and lost > LOST_SHARE * (health.frames + lost)):
         return Condition(
-            "warn",
+            "bad" if health.useless else "warn",
             translate("Connect", "loses pictures"),
             translate("Connect", "Give it a USB controller of its own, and a shorter cable."),
         )

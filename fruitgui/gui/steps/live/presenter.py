@@ -97,6 +97,8 @@ def health_words(health: SensorHealth | None) -> tuple[str, str]:
         return "bad", QCoreApplication.translate("Health", "does not answer")
     if health.blinded_by:
         return "warn", QCoreApplication.translate("Health", "may be blinded")
+    if health.useless:
+        return "bad", QCoreApplication.translate("Health", "loses pictures")
     if health.state is Running.RUNNING:
         return "good", f"{number_text(health.rate_hz, 1)}/s"
     words = {

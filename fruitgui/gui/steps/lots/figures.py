@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 
 from PySide6.QtCore import QCoreApplication
 
-from fruitgui.gui.blind_words import blind_text
+from fruitgui.gui.blind_words import blind_text, sparse_text
 from fruitgui.gui.kind_words import kind_name
 from fruitgui.gui.numbers import THIN, count_text, number_text
 from fruitgui.gui.steps.lots.words import NONE, kilograms_text, litres_text, measure_text, why_text
@@ -17,7 +17,7 @@ from fruitgui.measurement.fruit import Quantity
 from fruitgui.measurement.sums import SharedSum
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import Lot
-from fruitgui.records.spells import Spell, Trouble
+from fruitgui.records.spells import Spell, SpellSort, Trouble
 from fruitgui.records.store import Store
 from fruitgui.records.totals import KindTotal
 
@@ -155,16 +155,17 @@ def times_text(lot: Lot, now_s: float) -> str:
 
 
 def unseen_text(lot: Lot, now_s: float) -> str:
-    """Return for how long which sensors were away while a lot ran, and whether fruit may have passed unseen."""
-    lost = [one for one in lot.spells if one.blind.loses_fruit]
-    less = [one for one in lot.spells if not one.blind.loses_fruit]
+    """Return for how long which sensors gave nothing or too little, and whether fruit may have passed unseen."""
+    said: tuple[tuple[SpellSort, bool, str], ...] = (
+        ("away", True, translate("Lots", "For {time} ({count}×, {sensors}) fruit may have passed unseen")),
+        ("away", False, translate("Lots", "for {time} ({count}×, {sensors}) sizes are less sure")),
+        ("sparse", True, translate("Lots", "for {time} ({count}×, {sensors}) few pictures came, fruit may be missing")),
+        ("sparse", False, translate("Lots", "for {time} ({count}×, {sensors}) few pictures came, sizes are less sure")),
+    )
     parts = []
-    if lost:
-        text = translate("Lots", "For {time} ({count}×, {sensors}) fruit may have passed unseen")
-        parts.append(_lasted(text, lost, now_s))
-    if less:
-        text = translate("Lots", "for {time} ({count}×, {sensors}) sizes are less sure")
-        parts.append(_lasted(text, less, now_s))
+    for sort, loses_fruit, text in said:
+        of_sort = [one for one in lot.spells if (one.sort, one.blind.loses_fruit) == (sort, loses_fruit)]
+        parts += [_lasted(text, of_sort, now_s)] if of_sort else []
     text = "; ".join(parts)
     return text[:1].upper() + text[1:]
 
@@ -194,7 +195,7 @@ def spell_texts(lot: Lot, now_s: float, most: int) -> list[tuple[str, str, str]]
         (
             f"{second_text(one.from_s)}–{second_text(now_s if one.to_s is None else one.to_s)}",
             duration_text(one.lasted_s(now_s)),
-            blind_text(one.blind),
+            (blind_text if one.sort == "away" else sparse_text)(one.blind),
         )
         for one in sorted(longest, key=lambda one: one.from_s)
     ]

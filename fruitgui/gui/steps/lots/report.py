@@ -234,3 +234,7 @@ def _write_method(sheet: Sheet, report: LotReport) -> None:
     if lot.model or lot.reference_sensor:
         text = translate("LotReport", "Kinds by model {model}; frame of reference: sensor {sensor}.")
         sheet.words(text.format(model=model_name(lot.model) or NONE, sensor=lot.reference_sensor or NONE), SMALL)
+    devices = [f"{name} ({serial})" for name, serial in report.serials.items() if serial]
+    if devices:
+        text = translate("LotReport", "Sensors, with the serials of the devices: {sensors}.")
+        sheet.words(text.format(sensors=", ".join(devices)), SMALL)
