@@ -45,7 +45,7 @@ class Captures:
         self._waiting: deque[Capture] = deque(maxlen=_KEPT)
         self._changed = threading.Condition()
         self._sequence = -1
-        self._last_ticks: int | None = None
+        self._last: DepthPicture | None = None
         self._failure: FruitguiError | None = None
 
     def hear(self, stream: Stream, picture: Picture) -> None:
@@ -66,7 +66,7 @@ class Captures:
         with self._changed:
             self._pairing.clear()
             self._waiting.clear()
-            self._last_ticks = None
+            self._last = None
 
     def end(self, failure: FruitguiError | None) -> None:
         """Note that nothing comes any more."""
@@ -92,13 +92,19 @@ class Captures:
             return self._waiting.popleft()
 
     def _captured(self, pair: Pair) -> Capture:
-        ticks = pair.depth.ticks
-        steps = 1 if self._last_ticks is None else round((ticks - self._last_ticks) / FRAME_TICKS)
-        self._sequence += min(max(steps, 1), _MOST_STEPS)
-        self._last_ticks = ticks
-        time_s = self._clock.time_s(ticks / TICKS_PER_S, pair.depth.arrived_s)
+        depth = pair.depth
+        self._sequence += 1 if self._last is None else _steps(self._last, depth)
+        self._last = depth
+        time_s = self._clock.time_s(depth.ticks / TICKS_PER_S, depth.arrived_s)
         return Capture(pair, self._sequence, time_s, self._clock.jumps)
 
 
-_MOST_STEPS = 10 * 30
-"""More than ten seconds of pictures are not missing: the device's clock jumped."""
+def _steps(before: DepthPicture, now: DepthPicture) -> int:
+    """Return how many pictures later one is than another; where the device's clock leapt, as they came."""
+    by_device = round((now.ticks - before.ticks) / FRAME_TICKS)
+    by_host = round((now.arrived_s - before.arrived_s) * TICKS_PER_S / FRAME_TICKS)
+    return max(by_host if by_device > by_host + _LATE_STEPS else by_device, 1)
+
+
+_LATE_STEPS = 15
+"""A picture may come half a second late, and the next at once; farther apart only a clock that leapt puts them."""

@@ -30,3 +30,22 @@ def test_a_leap_of_the_clock_is_told_by_whatever_is_read_after_it() -> None:
     hear(captures, range(34, 64), 3.0)
     again = captures.next(0.0)
     assert [one and one.clock_leaps for one in (first, after, again)] == [0, 1, 2]
+
+
+def test_pictures_that_were_lost_leave_a_gap_and_a_clock_that_leapt_leaves_none() -> None:
+    captures = Captures()
+    sequences = []
+    for numbers, leapt_s in ((range(1, 4), 0.0), (range(10, 12), 0.0), (range(12, 14), 20.0), (range(400, 402), 20.0)):
+        hear(captures, numbers, leapt_s)
+        while (capture := captures.next(0.0)) is not None:
+            sequences.append(capture.sequence)
+    assert sequences == [0, 1, 2, 9, 10, 11, 12, 399, 400]
+
+
+def test_a_picture_that_came_late_hides_none_that_were_lost_after_it() -> None:
+    captures = Captures()
+    for number, late in ((1, 0), (2, 12), (13, 1)):
+        arrived_s = 100.0 + (number + late) / 30.0
+        for stream, pixels in ((Stream.DEPTH, RAW), (Stream.VIDEO, COLOR)):
+            captures.hear(stream, Picture(number * FRAME_TICKS, arrived_s, pixels, whole=True))
+    assert [one and one.sequence for one in (captures.next(0.0) for _ in range(3))] == [0, 1, 12]
