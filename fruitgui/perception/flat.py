@@ -3,7 +3,8 @@
 A reading errs by 1.4 mm · z², so nothing lower than 8 mm stands out of the belt at 1 m by depth alone (`limits`). What
 differs from the belt in colour is looked at once more: it is a thing if all its readings together lie above the belt
 just around it. A stain, a wet patch, a shadow differ in colour and do not rise. What is in one patch with something
-tall, or mostly beside it, is left to depth: colours of fruit run over their edges.
+tall, or mostly beside it, is left to depth: colours of fruit run over their edges, and those of rails, which part the
+belt from what lies beyond it.
 """
 
 from __future__ import annotations
@@ -37,8 +38,8 @@ SPREADS = 5.0
 """Or so many of the belt's own standard deviations, where these are larger."""
 
 SEEN_BY_DEPTH = 0.5
-"""A patch of which depth shows more than this share, or which lies so much within 25 mm of something tall, is left to
-depth."""
+"""A patch of which depth shows more than this share, or which lies so much within 25 mm of something tall or of a rail,
+is left to depth."""
 
 RISES = 2.5
 """Standard deviations by which the mean of a flat thing's readings must lie above the belt around it."""
@@ -89,10 +90,11 @@ class FlatFinder:
         standing, labels = self._cells(groups.standing_mm), self._cells(groups.labels)
         seen, tall = labels > 0, (standing > 0) & (standing < self._tall_mm)
         unlike = self._unlike(self._thinned(calm), seen)
-        marked = unlike.view(np.uint8)
+        rail = (labels == RAIL).view(np.uint8)
+        marked = (unlike & (cv2.dilate(rail, _BESIDE) == 0)).view(np.uint8)
         count, patches, stats, _ = cv2.connectedComponentsWithStats(marked, connectivity=8, ltype=cv2.CV_16U)
         area = stats[:, cv2.CC_STAT_AREA]
-        fringe = seen | (cv2.dilate(tall.view(np.uint8), _NEAR) > 0)
+        fringe = seen | (cv2.dilate(rail | tall.view(np.uint8), _NEAR) > 0)
         covered = np.bincount(patches[fringe], minlength=count)
         covered[patches[tall & seen]] = area.max()
         wanted = (area >= self._least_cells) & (covered < SEEN_BY_DEPTH * area)

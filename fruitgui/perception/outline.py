@@ -86,10 +86,15 @@ class Ellipses:
 
 
 def fit_ellipses(outlines: Outlines) -> Ellipses:
-    """Fit an ellipse to every outline, of at least 5 places each (Fitzgibbon, Pilu & Fisher 1999)."""
+    """Fit an ellipse to every outline, of at least 5 places each (Fitzgibbon, Pilu & Fisher 1999).
+
+    One that is three pixels wide or less has the sides of its rectangle instead.
+    """
     area_px = np.array([cv2.contourArea(contour) for contour in outlines.each])
     thin = outlines.thinned()
-    rows = np.array([_ellipse(contour) for contour in thin.each])
+    # Nearly all places of what is three pixels wide lie on two lines; OpenCV moves them at random then.
+    slim = (area_px < outlines.counts).tolist()
+    rows = np.array([(_rectangle if low else _ellipse)(one) for low, one in zip(slim, thin.each, strict=True)])
     hull_px = np.array([cv2.contourArea(cv2.convexHull(contour)) for contour in thin.each])
     across = rows[:, 3] > rows[:, 2]
     axes = np.maximum(np.where(across[:, None], rows[:, 3:1:-1], rows[:, 2:4]), 1.0)
@@ -101,7 +106,12 @@ def fit_ellipses(outlines: Outlines) -> Ellipses:
 def _ellipse(contour: Contour) -> tuple[float, ...]:
     (u, v), (first, second), degrees = cv2.fitEllipseDirect(contour)
     if not math.isfinite(first + second + u + v) or first <= 0.0 or second <= 0.0:
-        (u, v), (first, second), degrees = cv2.minAreaRect(contour)
+        return _rectangle(contour)
+    return u, v, first, second, degrees
+
+
+def _rectangle(contour: Contour) -> tuple[float, ...]:
+    (u, v), (first, second), degrees = cv2.minAreaRect(contour)
     return u, v, first, second, degrees
 
 

@@ -30,8 +30,8 @@ have 0.47."""
 SLAB_M = 0.045
 """Nor is a slab taller, whatever its width."""
 
-SMALLEST_M, FLAT = 0.035, 0.6
-"""A part at least so large, and at least so tall for its size, is built like a fruit."""
+SMALLEST_M, FLAT, LOWEST_M = 0.035, 0.6, 0.03
+"""A part at least so large, and at least so tall for its size and at all, is built like a fruit."""
 
 LEVEL_M = 0.008
 """What the tops of one slab's parts differ by: three standard deviations of a height at 1.4 m."""
@@ -111,7 +111,7 @@ def part_contours(parts: U8, corner: tuple[int, int], least_px: float) -> list[C
     return found
 
 
-def whole_slabs(parts: U8, top_m: F64, pixel_m: float, largest_m: float) -> U8:
+def whole_slabs(parts: U8, top_m: F64, pixel_m: float, longest_m: float) -> U8:
     """Return the parts of a group with those joined that are one flat body: a hand narrows at wrist and knuckles.
 
     A part much lower than it is wide is no fruit, and what is level with it and grown together with it no other body,
@@ -121,18 +121,18 @@ def whole_slabs(parts: U8, top_m: F64, pixel_m: float, largest_m: float) -> U8:
         parts: (h, w) uint8, 1 … K on the pixels of the parts.
         top_m: (K,) their tops' heights.
         pixel_m: what a pixel spans.
-        largest_m: parts that together are longer are not joined: they are many things.
+        longest_m: parts that together are longer are not joined: they are many things. A hand with its arm is not.
     """
     if not (top_m < SLAB_M).any():
         return parts
     size_m = pixel_m * np.sqrt(4.0 / np.pi * np.bincount(parts.ravel(), minlength=len(top_m) + 1)[1:])
-    joins = (size_m < SMALLEST_M) | (top_m < FLAT * size_m)
+    joins = (size_m < SMALLEST_M) | (top_m < np.maximum(FLAT * size_m, LOWEST_M))
     for part in np.flatnonzero(joins & (top_m < SLAB_M)).tolist():
         if top_m[part] > SLAB * min(_extent(parts == part + 1)) * pixel_m:
             continue
         level = joins & (np.abs(top_m - top_m[part]) < LEVEL_M)
         body = _grown_together(np.append(False, level)[parts], parts == part + 1)
-        if max(_extent(body)) * pixel_m <= largest_m:
+        if max(_extent(body)) * pixel_m <= longest_m:
             parts = np.where(body, np.uint8(part + 1), parts)
     return parts
 

@@ -65,7 +65,10 @@ class Runs:
         return values.astype(np.float32).repeat(self.counts)
 
     def quantiles(self, rows: Sequence[Binned], at: Sequence[float]) -> F64:
-        """Return quantiles (K, N, len(at)) of K rows of values, interpolated within the bins of one histogram."""
+        """Return quantiles (K, N, len(at)) of K rows of values, interpolated within the bins of one histogram.
+
+        Of a group of which nothing is counted they are the lowest value there is.
+        """
         groups = len(self.counts)
         base = (np.arange(groups) * BINS).repeat(self.counts)
         size = groups * BINS
@@ -78,7 +81,8 @@ class Runs:
         wanted = before[:, None] + total[:, None] * np.array(at)
         place = np.minimum(rising.searchsorted(wanted), len(table) - 1)
         inside = place + 1.0 - (rising[place] - wanted) / np.maximum(table[place], 1e-12)
-        inside = (inside - np.arange(len(rows) * groups)[:, None] * BINS).reshape(len(rows), groups, len(at))
+        inside -= np.arange(len(rows) * groups)[:, None] * BINS
+        inside = np.where(total[:, None] >= 1.0, inside, 0.0).reshape(len(rows), groups, len(at))
         low = np.array([row.low for row in rows])[:, None, None]
         return np.asarray(low + inside * (np.array([row.high for row in rows])[:, None, None] - low) / BINS)
 

@@ -19,9 +19,11 @@ from fruitgui.frame import F32, F64, U8, Bools, Ints
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.outline import Contour
 from fruitgui.perception.parts import Parts, is_sound, part_contours, unsplit, whole_slabs, with_parts
+from fruitgui.perception.rails import LONG
 from fruitgui.perception.relief import Relief, ReliefMaker
 from fruitgui.perception.segment import Groups
 from fruitgui.perception.settings import PerceptionSettings
+from fruitgui.perception.tiles import Box
 from fruitgui.perception.tops import Forest, Tops, basins, find_tops, lowest_between, near_two
 
 
@@ -29,10 +31,10 @@ class HeightSplitter:
     """Splits groups by the prominence of their tops. One per sensor."""
 
     def __init__(self, limits: DepthLimits, settings: PerceptionSettings) -> None:
+        self._limits = limits
         self._settings = settings
         smallest_px = limits.pixels_of(settings.smallest_m, limits.belt_z_m)
         self._scale = 2 if smallest_px >= 6.0 else 1
-        self._pixel_m = self._scale * limits.belt_z_m / limits.focal_px
         self._maker = ReliefMaker(limits, settings, self._scale)
         reach = int(np.clip(round(0.3 * smallest_px / self._scale), 1, 6))
         self._window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
@@ -66,8 +68,15 @@ class HeightSplitter:
         top_m = np.zeros(int(numbers.max()))
         np.maximum.at(top_m, numbers - 1, tops.height_m)
         parts = cv2.copyTo(parts, patch.mine.astype(np.uint8))
-        parts = whole_slabs(parts, top_m, self._pixel_m, self._settings.largest_m)
+        pixel_m = self._pixel_m(patch.box, 0.5 * float(top_m.max()))
+        parts = whole_slabs(parts, top_m, pixel_m, LONG * self._settings.largest_m)
         return part_contours(self._refined(parts, patch, groups, group), patch.box[:2], self._least_px)
+
+    def _pixel_m(self, box: Box, height_m: float) -> float:
+        """Return what a pixel of the coarse grid spans at something of that height there: a tilted sensor's differ."""
+        left, top, width, height = box
+        slope = float(self._limits.slope[top + height // 2, left + width // 2])
+        return self._scale * (self._limits.offset_m - height_m) / max(slope, 1e-3) / self._limits.focal_px
 
     def _refined(self, parts: U8, patch: Patch, groups: Groups, group: int) -> U8:
         """Return the parts over the group's bounding box in the crop's own pixels."""

@@ -90,6 +90,8 @@ def test_sums_and_quantiles_by_group_are_those_of_each_group() -> None:
     for group, part in ((0, slice(400)), (2, slice(400, None))):
         assert all_of_them[group] == pytest.approx(np.quantile(values[part], [0.1, 0.5]), abs=0.01)
         assert lower[group] == pytest.approx(np.quantile(values[part][low[part]], [0.1, 0.5]), abs=0.02)
+    assert all_of_them[1].tolist() == [0.0, 0.0]
+    assert lower[1].tolist() == [-1.0, -1.0]
 
 
 def circle(radius: int, centre: int = 60) -> np.ndarray:
@@ -113,6 +115,21 @@ def test_a_circle_fits_its_ellipse_and_a_cross_does_not() -> None:
     ellipses = fit_ellipses(joined((circle(30), circle(20, 50))))
     assert ellipses.centre_px == pytest.approx(np.array([[60, 60], [50, 50]]), abs=0.3)
     assert ellipses.axes_px == pytest.approx(np.array([[60, 60], [40, 40]]), abs=1.5)
+
+
+@pytest.mark.parametrize("thick_px", [1, 2, 3])
+@pytest.mark.parametrize("end", [(72, 20), (60, 44)])
+def test_what_is_hardly_wider_than_a_line_is_the_same_whenever_it_is_looked_at(
+    thick_px: int, end: tuple[int, int]
+) -> None:
+    import cv2
+
+    picture = np.zeros((120, 120), np.uint8)
+    cv2.line(picture, (60, 20), end, 255, thick_px)
+    outline = cv2.findContours(picture, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)[0][0]
+    found = [fit_ellipses(joined((outline,))) for _ in range(6)]
+    assert len({(*one.axes_px[0].tolist(), *one.centre_px[0].tolist()) for one in found}) == 1
+    assert found[0].axes_px[0, 0] < 1.5 * np.hypot(end[0] - 60, end[1] - 20) + 3.0
 
 
 def test_the_patch_is_forty_pixels_wide_even_at_the_edge() -> None:

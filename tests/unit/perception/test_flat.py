@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from fruitgui.frame import Bools, Frame
+from fruitgui.geometry.plane import Plane, Surface
 from fruitgui.perception import Perceiver
 from fruitgui.perception.view import FruitView
 from tests.unit.perception.spheres import KINECT, Ball, Table
@@ -69,6 +70,24 @@ def test_bits_that_depth_shows_of_a_leaf_become_the_leaf() -> None:
     views = seen(table, replace(frame, depth_mm=depth))
     assert len(views) == 1
     assert views[0].area_px > 600
+
+
+@pytest.mark.parametrize("narrower_px", [0, 1, 2])
+@pytest.mark.parametrize("turned", [0.02, 0.04])
+def test_the_fringe_of_a_rails_colour_is_nothing(narrower_px: int, turned: float) -> None:
+    """The floor beyond a rail has its colour; colour and depth of the rail end some pixels apart."""
+    rng = np.random.default_rng(narrower_px)
+    v, u = np.mgrid[:480, :640]
+    beyond = v - 300 - turned * u
+    noise = np.repeat(np.repeat(rng.normal(0.0, 1.4e-3, (160, 214)), 3, 0), 3, 1)[:480, :640]
+    depth = 1.0 - np.select([beyond >= 12, beyond >= 0], [-0.3, 0.026]) + noise
+    rail = (beyond >= narrower_px)[..., None]
+    color = np.where(rail, (200, 195, 205), (40, 70, 140)) + rng.normal(0.0, 4.0, (480, 640, 1))
+    frame = Frame(
+        "ball", 0, 0.0, np.clip(color, 0, 255).astype(np.uint8), np.rint(1e3 * depth).astype(np.uint16), KINECT
+    )
+    surface = Surface(Plane(np.array([0.0, 0.0, -1.0]), 1.0))
+    assert Perceiver("ball", KINECT, surface).observe(frame, 0.0).views == ()
 
 
 @pytest.mark.parametrize("nearer_m", [0.0, 0.02])

@@ -92,6 +92,25 @@ def test_a_bowl_is_one() -> None:
     assert not found[0].shared
 
 
+@pytest.mark.parametrize("tilt_rad", [0.0, 0.7, 1.4])
+def test_a_hand_with_its_arm_is_one_however_long(tilt_rad: float) -> None:
+    """It narrows at the wrist and at every knuckle, and is longer than any fruit."""
+    cosine, sine = np.cos(tilt_rad), np.sin(tilt_rad)
+    v, u = (np.mgrid[:240, :240] - 120.0) * 1.85
+    along, across = u * cosine + v * sine, v * cosine - u * sine
+    palm = np.hypot(along, across) < 45.0
+    arm = (
+        (along > -165.0)
+        & (along < 0.0)
+        & (np.abs(across) < np.interp(along, [-165.0, -70.0, -45.0], [36.0, 26.0, 13.0]))
+    )
+    fingers = np.zeros_like(palm)
+    for turned in (-0.42, -0.14, 0.14, 0.42):
+        reach = along * np.cos(turned) + across * np.sin(turned)
+        fingers |= (reach > 0.0) & (reach < 145.0) & (np.abs(across * np.cos(turned) - along * np.sin(turned)) < 10.0)
+    assert [view.shared for view in drawn(np.where(palm | arm | fingers, 0.028, 0.0))] == [False]
+
+
 def test_two_bananas_side_by_side_are_two() -> None:
     u, v = grid()
     both = np.zeros_like(u)
