@@ -20,6 +20,7 @@ from fruitgui.gui.housekeeping import Housekeeping
 from fruitgui.gui.logs import Logs
 from fruitgui.gui.memory import GivingBack
 from fruitgui.gui.messages import Level, Message
+from fruitgui.gui.model_check import ModelCheck
 from fruitgui.gui.pages import PageMaking, Pages
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
@@ -70,6 +71,8 @@ class Application(QObject):
         self._speed_watch = SpeedWatch(self.session, self)
         self._housekeeping = Housekeeping(self.session, self)
         self._giving_back = GivingBack(self)
+        self._model_check = ModelCheck(self.session, self)
+        self.page_making.done.connect(self._model_check.look)
         self._connect()
 
     def start(self) -> None:
@@ -107,6 +110,7 @@ class Application(QObject):
         self._housekeeping.stop()
         self._health.stop()
         self._giving_back.stop()
+        self._model_check.stop()
         for one in self.window.findChildren(Queries):
             one.finish()
         self.session.close()

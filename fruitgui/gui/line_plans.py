@@ -5,7 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
+from fruitgui.errors import InputError
 from fruitgui.gui.beginning import LinePlan
 from fruitgui.gui.saving import Saving
 from fruitgui.gui.source_runner import SourceRunner
@@ -45,10 +47,14 @@ def model_reader(workspace: Workspace, saving: Saving, station: Station) -> Call
         saving.wait()  # what a person typed of kinds just now belongs to the model
         kept = workspace.model(station)
         if kept.damage is not None:
-            raise kept.damage.error
+            raise kept.damage.error if kept.damage.set_aside is not None else _gone(kept.damage.file)
         return kept.value
 
     return model
+
+
+def _gone(path: Path) -> InputError:
+    return InputError("no_such_model", f"{path} is not there.", "Choose another model, or train again.")
 
 
 def arrange_turns(feed: Feed, station: Station | None, projectors: Projectors) -> None:

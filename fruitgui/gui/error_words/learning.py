@@ -22,7 +22,7 @@ def words() -> Mapping[str, tuple[str, str]]:
         ),
         "bad_model": (
             translate("Errors", "The model cannot be used."),
-            translate("Errors", "Train again, or roll back to the model before; until then fruit count as unknown."),
+            translate("Errors", "Train again, or roll back to the model before; no lot starts with it."),
         ),
         "model_already": (
             translate("Errors", "A model of this name is kept already."),
@@ -46,6 +46,6 @@ def words() -> Mapping[str, tuple[str, str]]:
         ),
         "other_features": (
             translate("Errors", "The model was trained by another version of this program."),
-            translate("Errors", "Train again; until then fruit count as unknown."),
+            translate("Errors", "Train again; no lot starts with it."),
         ),
     }

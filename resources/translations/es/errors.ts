@@ -156,8 +156,8 @@
         <translation>El modelo no se puede usar.</translation>
     </message>
     <message>
-        <source>Train again, or roll back to the model before; until then fruit count as unknown.</source>
-        <translation>Entrene de nuevo, o vuelva al modelo anterior; hasta entonces la fruta cuenta como desconocida.</translation>
+        <source>Train again, or roll back to the model before; no lot starts with it.</source>
+        <translation>Entrene de nuevo, o vuelva al modelo anterior; con este no empieza ningún lote.</translation>
     </message>
     <message>
         <source>A model of this name is kept already.</source>
@@ -204,8 +204,8 @@
         <translation>El modelo fue entrenado por otra versión de este programa.</translation>
     </message>
     <message>
-        <source>Train again; until then fruit count as unknown.</source>
-        <translation>Entrene de nuevo; hasta entonces la fruta cuenta como desconocida.</translation>
+        <source>Train again; no lot starts with it.</source>
+        <translation>Entrene de nuevo; con este no empieza ningún lote.</translation>
     </message>
     <message>
         <source>There is no simulated rig of this kind.</source>

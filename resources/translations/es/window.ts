@@ -324,6 +324,37 @@
     </message>
 </context>
 <context>
+    <name>ModelCheck</name>
+    <message>
+        <source>{file} is not there.</source>
+        <translation>{file} no está.</translation>
+    </message>
+    <message>
+        <source>{file} is damaged; it was set aside, unharmed.</source>
+        <translation>{file} está dañado; se apartó sin tocarlo.</translation>
+    </message>
+    <message>
+        <source>No lot starts without the model that it is to name fruit by.</source>
+        <translation>Ningún lote empieza sin el modelo con que debe nombrar la fruta.</translation>
+    </message>
+    <message>
+        <source>Take the last good one</source>
+        <translation>Usar el último bueno</translation>
+    </message>
+    <message>
+        <source>Count without a model</source>
+        <translation>Contar sin modelo</translation>
+    </message>
+    <message>
+        <source>Fruit count as unknown, until a model is trained and accepted.</source>
+        <translation>La fruta cuenta como desconocida hasta que se entrene y acepte un modelo.</translation>
+    </message>
+    <message>
+        <source>The last good model is in use.</source>
+        <translation>El último modelo bueno está en uso.</translation>
+    </message>
+</context>
+<context>
     <name>Recorder</name>
     <message>
         <source>Recording</source>
