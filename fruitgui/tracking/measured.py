@@ -90,7 +90,7 @@ def measured(observation: Observation, rig: Rig, field: FieldOfView, centre: Cen
     size_m = _sizes_m(views, centres, mount)
     whole = np.array([view.whole for view in views], dtype=bool)
     ended = np.array([view.ended for view in views], dtype=bool)
-    cut = ~whole & (_at_border(views, mount) | (inside_m < 0.5 * size_m))
+    cut = ~whole & (ended | _at_border(views, mount) | (inside_m < 0.5 * size_m))
     return Measured(
         sensor=observation.sensor,
         time_s=observation.time_s,
@@ -100,8 +100,7 @@ def measured(observation: Observation, rig: Rig, field: FieldOfView, centre: Cen
         looks=_looks(views, size_m),
         size_m=size_m,
         whole=whole,
-        # Where readings end a centre's own covariance does: a wider one let a long thing take the next fruit's views.
-        cut=cut | ended,
+        cut=cut,
         inside_m=inside_m,
     )
 
