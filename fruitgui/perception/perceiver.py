@@ -85,18 +85,18 @@ class Perceiver:
     def _views(self, frame: Frame, depth_mm: U16, calm: U8, groups: Groups, parts: Parts) -> tuple[FruitView, ...]:
         limits, settings = self._limits, self._settings
         outlines, pixels = joined(parts.contours), gather_pixels(parts, groups.standing_mm, limits)
-        seen = seen_whole(outlines, parts, groups.standing_mm, depth_mm, limits, self._jump_m)
+        whole, free = seen_whole(outlines, parts, groups.standing_mm, depth_mm, limits, self._jump_m)
         ellipses = fit_ellipses(outlines)
         heights = find_heights(pixels)
         rough_m = ellipses.axes_px[:, 0] * (limits.belt_z_m / limits.focal_px)
-        centres = find_centres(pixels, heights.top_m, rough_m, seen.whole, limits, settings)
+        centres = find_centres(pixels, heights.top_m, rough_m, whole, limits, settings)
         shapes = shape_features(pixels, ellipses, heights, centres.centre_m, limits)
         colours = colour_features(pixels, calm, belt_colour(calm, parts.labels, limits))
         is_fruit = self._is_fruit(pixels, heights, centres, ellipses, parts.group >= len(groups.contours) - groups.flat)
         features = np.hstack([colours, shapes]).astype(np.float32)
         return build_views(
             frame, np.ascontiguousarray(frame.color), limits, np.flatnonzero(is_fruit).tolist(), settings.max_points,
-            Seen(parts, outlines, pixels, ellipses, heights, centres, seen, features),
+            Seen(parts, outlines, pixels, ellipses, heights, centres, whole, free, features),
         )  # fmt: skip
 
     def _is_fruit(self, pixels: Pixels, heights: Heights, centres: Centres, ellipses: Ellipses, flat: Bools) -> Bools:

@@ -29,7 +29,6 @@ class FruitView:
         features: (F,) product feature vector, see `perception.features.FEATURE_NAMES`.
         patch: (40, 40, 3) uint8 RGB, centred on the fruit (the source's patch, and a picture for people).
         whole: seen whole: not cut by the picture's edge or the region's, not hidden by another fruit.
-        ended: cut where the picture's readings end, mostly some pixels before the picture does.
         shared: the outline was cut out of a group of touching fruit.
         outline_free: (K,) beyond which places of the outline lies bare belt: neither another thing on it, nor the end
             of the picture or of the region. What of an outline is free is silhouette, whole or not.
@@ -51,7 +50,6 @@ class FruitView:
     features: F32
     patch: U8
     whole: bool
-    ended: bool
     shared: bool
     outline_free: Bools
 

@@ -6,14 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fruitgui.frame import F32, F64, U8, Frame, Ints
+from fruitgui.frame import F32, F64, U8, Bools, Frame, Ints
 from fruitgui.perception.centre import Centres, Heights
 from fruitgui.perception.limits import DepthLimits
 from fruitgui.perception.outline import Ellipses, Outlines
 from fruitgui.perception.parts import Parts
 from fruitgui.perception.pixels import Pixels
 from fruitgui.perception.view import FruitView
-from fruitgui.perception.wholeness import Wholeness
 
 PATCH_PX = 40
 """Side of the source's colour patch (paper 3.2)."""
@@ -29,7 +28,8 @@ class Seen:
     ellipses: Ellipses
     heights: Heights
     centres: Centres
-    wholeness: Wholeness
+    whole: Bools
+    free: Bools
     features: F32
 
 
@@ -45,8 +45,7 @@ def build_views(
     patches = patches_at(color, seen.ellipses.centre_px + corner)
     areas = seen.ellipses.area_px.astype(np.intp).tolist()
     first, length = seen.outlines.starts.tolist(), seen.outlines.counts.tolist()
-    tops, shared = seen.heights.top_m.tolist(), seen.parts.shared.tolist()
-    whole, ended, free = seen.wholeness.whole.tolist(), seen.wholeness.ended.tolist(), seen.wholeness.free
+    tops, whole, shared = seen.heights.top_m.tolist(), seen.whole.tolist(), seen.parts.shared.tolist()
     points_m, edge_px, bounds = _points(seen.pixels)
     centres = seen.centres
     views = []
@@ -71,9 +70,8 @@ def build_views(
                 features=seen.features[n],
                 patch=patches[n],
                 whole=whole[n],
-                ended=ended[n],
                 shared=shared[n],
-                outline_free=free[first[n] : first[n] + length[n]],
+                outline_free=seen.free[first[n] : first[n] + length[n]],
             )
         )
     return tuple(views)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -34,25 +32,10 @@ HIDDEN_PART = 0.06
 """Part of an outline along which something must stand in front before a fruit counts as partly hidden."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Wholeness:
-    """How much of N fruit is seen.
-
-    Attributes:
-        whole: (N,) neither cut nor partly hidden.
-        ended: (N,) cut by the end of the readings; what lies at the region's side may be cut by that on all its way.
-        free: (M,) beyond which places of the outlines lies bare belt.
-    """
-
-    whole: Bools
-    ended: Bools
-    free: Bools
-
-
 def seen_whole(
     outlines: Outlines, parts: Parts, standing_mm: U16, depth_mm: U16, limits: DepthLimits, jump_m: float
-) -> Wholeness:
-    """Tell which fruit are seen whole.
+) -> tuple[Bools, Bools]:
+    """Tell which fruit are seen whole, (N,), and beyond which places of the outlines lies bare belt, (M,).
 
     Args:
         outlines: of the fruit.
@@ -65,7 +48,6 @@ def seen_whole(
     places, owner = np.ascontiguousarray(outlines.places[::EVERY].T), outlines.owner[::EVERY]
     cut = np.zeros(len(owner), dtype=bool)
     cut[_at_the_margin(places, depth_mm, limits)] = True
-    ends = np.bincount(owner[cut], minlength=len(outlines.counts))
     cut[_at_the_region(places, standing_mm, limits)] = True
     beside, hidden = _others(places, owner, parts, depth_mm, limits, jump_m)
     fruit, looked_at = len(outlines.counts), outlines.counts / EVERY
@@ -74,7 +56,7 @@ def seen_whole(
     free = np.repeat(~cut, EVERY)[: len(outlines.places)]
     # The first place of an outline may lie between one looked at and the last of the outline before.
     free[outlines.starts] = free[outlines.starts + 1]
-    return Wholeness(np.asarray((cuts < 2) & (hiddens < HIDDEN_PART * looked_at)), np.asarray(ends >= 2), free)
+    return np.asarray((cuts < 2) & (hiddens < HIDDEN_PART * looked_at)), free
 
 
 def _at_the_margin(places: Places, depth_mm: U16, limits: DepthLimits) -> Ints:

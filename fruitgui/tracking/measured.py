@@ -50,7 +50,7 @@ class Measured:
         looks: (m, 5) what tells fruit apart, in the order of `LOOK_STD`.
         size_m: (m,) diameter of the circle of the outline's area.
         whole: (m,) seen whole.
-        cut: (m,) cut by the edge of the picture, of its readings or of the region.
+        cut: (m,) cut by the edge of the picture or of the region.
         inside_m: (m,) how far inside the sensor's field.
     """
 
@@ -89,8 +89,7 @@ def measured(observation: Observation, rig: Rig, field: FieldOfView, centre: Cen
     inside_m = field.sensors[observation.sensor].depth_m(position)
     size_m = _sizes_m(views, centres, mount)
     whole = np.array([view.whole for view in views], dtype=bool)
-    ended = np.array([view.ended for view in views], dtype=bool)
-    cut = ~whole & (ended | _at_border(views, mount) | (inside_m < 0.5 * size_m))
+    cut = ~whole & (_at_border(views, mount) | (inside_m < 0.5 * size_m))
     return Measured(
         sensor=observation.sensor,
         time_s=observation.time_s,

@@ -44,7 +44,7 @@ def test_half_a_banana_is_a_banana_and_unsure() -> None:
         "xtion", 0, 0.0, (0, 0, 10, 10), outline, points.astype(np.float32), edge.astype(np.float32),
         len(points), mean + np.array([0.0, 0.0, 0.01]), 1e-4 * np.eye(3), mean, 1e-5 * np.eye(3),
         float(np.percentile(table.height_m(points), 97)),
-        np.zeros(1, np.float32), np.zeros((40, 40, 3), np.uint8), True, False, False, np.ones(len(outline), bool),
+        np.zeros(1, np.float32), np.zeros((40, 40, 3), np.uint8), True, False, np.ones(len(outline), bool),
     )  # fmt: skip
     surface = Surface(table)
     rig = Rig("xtion", {"xtion": Mount("xtion", Pose.exact(), surface, CAMERA)})

@@ -135,7 +135,7 @@ def _view(
     return FruitView(
         sensor, number, time_s, (left, top, width, tall), outline, points, edge[inside].astype(np.float32),
         int(inside.sum()), mean * (1.0 + 0.02 / float(np.linalg.norm(mean))), 1e-5 * np.eye(3), mean, 1e-6 * np.eye(3),
-        float(np.percentile(height, 97)), np.zeros(1, np.float32), np.zeros((40, 40, 3), np.uint8), True, False, False,
+        float(np.percentile(height, 97)), np.zeros(1, np.float32), np.zeros((40, 40, 3), np.uint8), True, False,
         np.ones(len(outline), bool),
     )  # fmt: skip
 

@@ -11,14 +11,14 @@ from tests.unit.perception.spheres import Ball, Table, nearest, perceiver, row_o
 
 
 def test_a_ball_in_the_open_is_whole() -> None:
-    assert [(view.whole, view.ended) for view in views(row_of_balls((0.035,), 0.0))] == [(True, False)]
+    assert [view.whole for view in views(row_of_balls((0.035,), 0.0))] == [True]
 
 
 def test_a_ball_cut_by_the_pictures_edge_is_not() -> None:
     table = row_of_balls((0.035,), 0.0, tilt_rad=0.0)
     ball = table.balls[0]
     edge = Table((Ball(ball.x_m + 0.61, ball.y_m, 0.035),), tilt_rad=0.0)
-    assert [(view.whole, view.ended) for view in views(edge)] == [(False, True)]
+    assert [view.whole for view in views(edge)] == [False]
 
 
 def test_a_ball_cut_by_an_empty_margin_is_not() -> None:
@@ -29,8 +29,7 @@ def test_a_ball_cut_by_an_empty_margin_is_not() -> None:
     assert [view.whole for view in perceiver(shifted).observe(frame, 0.0).views] == [True]
     depth = frame.depth_mm.copy()
     depth[:, :45] = 0
-    cut = perceiver(shifted).observe(replace(frame, depth_mm=depth), 0.0).views
-    assert [(view.whole, view.ended) for view in cut] == [(False, True)]
+    assert [view.whole for view in perceiver(shifted).observe(replace(frame, depth_mm=depth), 0.0).views] == [False]
 
 
 def test_a_ball_that_sticks_out_of_the_region_is_not() -> None:
@@ -43,7 +42,7 @@ def test_a_ball_that_sticks_out_of_the_region_is_not() -> None:
         return to_belt.inverse().apply(np.hstack([square, np.zeros((4, 1))]))
 
     assert [view.whole for view in views(replace(table, region_m=region(0.06)))] == [True]
-    assert [(view.whole, view.ended) for view in views(replace(table, region_m=region(0.015)))] == [(False, False)]
+    assert [view.whole for view in views(replace(table, region_m=region(0.015)))] == [False]
 
 
 def test_a_ball_partly_behind_another_is_not_and_the_front_one_is() -> None:
@@ -51,8 +50,8 @@ def test_a_ball_partly_behind_another_is_not_and_the_front_one_is() -> None:
     away = 1.0 if _farther(front, 1.0) else -1.0
     behind = Ball(front.x_m, front.y_m + away * 2.05 * np.sqrt(0.04 * 0.035), 0.035)
     table = Table((front, behind), tilt_rad=0.8)
-    whole = {nearest(table, view): (view.whole, view.ended) for view in views(table)}
-    assert whole == {0: (True, False), 1: (False, False)}
+    whole = {nearest(table, view): view.whole for view in views(table)}
+    assert whole == {0: True, 1: False}
 
 
 def _farther(front: Ball, step: float) -> bool:

@@ -190,7 +190,6 @@ class Line:
             features=np.full(1, number, np.float32),
             patch=patch,
             whole=whole,
-            ended=not whole,
             shared=shared,
             outline_free=np.zeros(0, bool),
         )

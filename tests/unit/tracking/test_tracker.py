@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -144,23 +143,6 @@ def test_fruit_in_view_at_the_end_count_if_seen_whole_three_times() -> None:
     whole = {i: sum(v.whole and v.features[0] == i for o in line.observations() for v in o.views) for i in (0, 1)}
     assert whole[0] >= 3 > whole[1]
     assert [piece_of(track) for track in tracks] == [0]
-
-
-@pytest.mark.parametrize(("ended", "counts"), [(True, 0), (False, 5)])
-def test_what_only_the_end_of_the_readings_shows_is_not_counted_and_what_the_region_cuts_is(
-    ended: bool, counts: int
-) -> None:
-    """Fingertips stay at the picture's end when the hand is gone; a fruit that leans on a rail is never seen whole."""
-    line = crossing(5, 0.3)
-    tracker = Tracker(line.rig)
-    tracks = [
-        track
-        for seen in line.observations()
-        for track in tracker.update(
-            replace(seen, views=tuple(replace(view, whole=False, ended=ended) for view in seen.views))
-        )
-    ]
-    assert len(tracks + tracker.finish()) == counts
 
 
 def test_two_captures_of_one_time_and_a_late_one_are_used() -> None:
