@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -100,6 +100,25 @@ class Evidence:
     def views_of(self, track: Track) -> list[FruitView]:
         """Return the views (V,) of the track from which this was gathered."""
         return [track.sightings[number].view for number in self.sightings]
+
+    def seen_by(self, sensor: int) -> Evidence:
+        """Return the views of one sensor alone, by its index."""
+        mine = self.sensor == sensor
+        return replace(
+            self,
+            samples_m=self.samples_m[mine],
+            used=self.used[mine],
+            sight=self.sight[mine],
+            depth_sigma_m=self.depth_sigma_m[mine],
+            pixel_m=self.pixel_m[mine],
+            share=self.share[mine],
+            time_s=self.time_s[mine],
+            way_m=self.way_m[mine],
+            sensor=self.sensor[mine],
+            sightings=self.sightings[mine],
+            centre_m=self.centre_m[mine],
+            spoilt=self.spoilt[mine],
+        )
 
     def thinned(self, every: int) -> Evidence:
         """Return every so many samples of each kind: enough for the first steps of a fit."""

@@ -42,6 +42,9 @@ LONG_FOR_FRUIT_M, OVERSHOOT = 0.14, 1.6
 LARGEST_M = 0.6
 """No surface longer than this is a fruit's: the fit went wrong."""
 
+DENIED = 5.0
+"""Standard deviations of a sensor's shift along the belt beyond which its views are of something else, or elsewhere."""
+
 COARSE, FINE = 4e-3, 1.5e-3
 """Standard deviation of a view's own shift along the belt before and after its path is known, metres."""
 
@@ -52,10 +55,10 @@ def measure(track: Track, rig: Rig) -> Size:
     There always is one: where the views hold too few points for a surface, it
     comes from outlines and heights alone, with a wide standard deviation.
     """
-    evidence = gather(track, rig)
-    fit = None if evidence is None else _sound_fit(evidence)
-    if evidence is None or fit is None:
+    fitted = _fitted(track, rig)
+    if fitted is None:
         return rough_size(track, rig)
+    evidence, fit = fitted
     size = replace(size_of(fit, evidence.sensors), spoilt=float(evidence.spoilt.mean()))
     if size.length_m.value > LONG_FOR_FRUIT_M:
         rough = rough_size(track, rig)
@@ -66,8 +69,37 @@ def measure(track: Track, rig: Rig) -> Size:
 
 def fit_track(track: Track, rig: Rig) -> Fit | None:
     """Return the closed surface through all views of a fruit, belt frame; None where there is none."""
+    fitted = _fitted(track, rig)
+    return None if fitted is None else fitted[1]
+
+
+def _fitted(track: Track, rig: Rig) -> tuple[Evidence, Fit] | None:
+    """Return the surface and the views that it goes through: all of them, or those of one sensor that others deny."""
     evidence = gather(track, rig)
-    return None if evidence is None else _sound_fit(evidence)
+    fit = None if evidence is None else _sound_fit(evidence)
+    if evidence is None or fit is None:
+        return None
+    return _undenied(fit, evidence)
+
+
+def _undenied(fit: Fit, evidence: Evidence) -> tuple[Evidence, Fit]:
+    """Return a fit and its views, or those of the sensor with most views where the others deny what it sees.
+
+    A surface that is large enough goes through a fruit in two places, and leaves no residuals that tell. The places do:
+    beside how the belt carried it, no sensor sees a fruit elsewhere by more than its pose is unsure.
+    """
+    if _apart_m(fit, evidence) < DENIED * evidence.offset_sigma_m.max():
+        return evidence, fit
+    alone = evidence.seen_by(int(np.bincount(evidence.sensor).argmax()))
+    fit_alone = _sound_fit(alone)
+    return (evidence, fit) if fit_alone is None else (alone, fit_alone)
+
+
+def _apart_m(fit: Fit, evidence: Evidence) -> float:
+    """Return how far apart sensors see the fruit, beside how the belt carried it."""
+    left_m = (fit.state.place_m(evidence) - evidence.way_m)[:, :2]
+    means_m = np.array([left_m[evidence.sensor == sensor].mean(axis=0) for sensor in np.unique(evidence.sensor)])
+    return float(np.linalg.norm(means_m[:, None] - means_m[None], axis=2).max())
 
 
 def _sound_fit(evidence: Evidence) -> Fit | None:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from fruitgui.geometry.plane import Plane, Surface
+from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.measurement.evidence import gather
 from fruitgui.measurement.size import fit_track, measure
@@ -53,6 +54,23 @@ def test_one_sensor_alone_is_less_sure_and_not_wrong() -> None:
     assert one.coverage < both.coverage
     assert abs(one.volume_m3.value - solid.volume_m3) < 2.6 * one.volume_m3.std
     assert one.volume_m3.value == pytest.approx(solid.volume_m3, rel=0.15)
+
+
+@pytest.mark.parametrize("off_m", [(0.02, 0.0, 0.0), (0.012, -0.015, 0.0), (-0.02, 0.0, 0.0), (0.0, 0.025, 0.0)])
+def test_of_sensors_that_deny_each_other_the_one_with_most_views_is_believed(off_m: tuple[float, ...]) -> None:
+    """A surface through both places would be a third too large, and leave no residuals that tell."""
+    solid = Solid((0.046, 0.031, 0.031), (0.0, 0.1, 0.7))
+    track, rig = track_of(solid, 4, views=30)
+    of_two = [number for number, one in enumerate(track.sightings) if one.view.sensor == "kinect_2"]
+    kept = [number for number in range(len(track.sightings)) if number not in of_two[6:]]
+    mount = rig.mounts["kinect_2"]
+    wrong = replace(mount, pose=Pose(mount.pose.rotation, mount.pose.translation_m + np.array(off_m)))
+    size = measure(
+        replace(track, sightings=tuple(track.sightings[n] for n in kept), path=tuple(track.path[n] for n in kept)),
+        replace(rig, mounts={**rig.mounts, "kinect_2": wrong}),
+    )
+    assert abs(size.volume_m3.value - solid.volume_m3) < 2.6 * size.volume_m3.std
+    assert size.volume_m3.value == pytest.approx(solid.volume_m3, rel=0.1)
 
 
 def test_few_views_are_less_sure() -> None:
