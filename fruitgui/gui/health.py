@@ -23,13 +23,14 @@ from fruitgui.station.live.state import LiveWarning
 log = logging.getLogger(__name__)
 
 LOOK_MS = 1000
-STAYING = ("calibration_stale", "not_kept", "fruit_not_counted")
+STAYING = ("calibration_stale", "not_kept", "fruit_not_counted", "mostly_unknown")
 """Warnings that stay until a person has put them away: a lot may be wrong by them."""
 
 AWAY = ("part_blind", "sensor_away")
 SPARSE = ("part_sparse", "sensor_sparse")
-AGAIN = (*AWAY, *SPARSE, "clock_jumped")
-"""Warnings that are said each time: a sensor that goes away once more, a clock that leaps once more."""
+AGAIN = (*AWAY, *SPARSE, "clock_jumped", "mostly_unknown")
+"""Warnings that are said each time: a sensor that goes away once more, a clock that leaps once more, a belt that is wet
+once more."""
 
 BYTES_PER_GB = 1e9
 
@@ -134,6 +135,7 @@ def warning_message(warning: LiveWarning, blind: Blind | None = None) -> Message
         "fruit_not_measured": _not_measured, "fruit_not_counted": _not_counted,
         "part_blind": _away, "sensor_away": _away, "part_sparse": _sparse, "sensor_sparse": _sparse,
         "may_be_blinded": _may_be_blinded, "not_drawn": _not_drawn, "not_watched": _not_watched,
+        "mostly_unknown": _mostly_unknown,
     }.get(warning.code)  # fmt: skip
     if words is None:
         return Message(Level.WARN, lambda: Told(warning.text))
@@ -254,4 +256,16 @@ def _not_counted() -> tuple[str, str]:
     return (
         QCoreApplication.translate("Health", "A fruit was followed but could not be counted."),
         QCoreApplication.translate("Health", "The log says what went wrong: open the help, then Show log."),
+    )
+
+
+def _mostly_unknown() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate(
+            "Health",
+            "Most fruit are unknown to the model: the light or the belt's colour may have changed since teaching.",
+        ),
+        QCoreApplication.translate(
+            "Health", "Clean the belt where it is wet or dirty; or name some of these fruit and train again."
+        ),
     )

@@ -26,6 +26,7 @@ from fruitgui.station.source import RecordingSource
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import read_station
 from fruitgui.station.timing import Stopwatch
+from fruitgui.station.unknowns import unknown_warnings
 from fruitgui.tracking.speed import mean_velocity, way_velocity
 from fruitgui.tracking.track import Track
 from fruitgui.tracking.tracker import Tracker
@@ -101,6 +102,7 @@ class _Run:
         rig = prelude.watching.rig
         self._prelude = prelude
         self._watch = watch
+        self._named = model is not None
         self._tracker = Tracker(rig, prelude.belt)
         self._line = Line(rig, self._tracker, model, paper, watch)
         self._frames: Counter[str] = Counter()
@@ -132,6 +134,9 @@ class _Run:
         belt = self._tracker.belt
         return belt.velocity_m_s if told is None and belt is not None else told
 
+    def _unknown_warnings(self) -> list[str]:
+        return unknown_warnings([one.kind for one in self._fruit]) if self._named else []
+
     def report(self, station: Station) -> dict[str, Any]:
         """Return the report."""
         watching = self._prelude.watching
@@ -140,6 +145,6 @@ class _Run:
             self._fruit,
             watching.sensors_value(self._frames),
             self._belt_velocity_m_s(),
-            [*watching.warnings(), *self._prelude.warnings, *self._silences.warnings()],
+            [*watching.warnings(), *self._prelude.warnings, *self._silences.warnings(), *self._unknown_warnings()],
             self._watch.value(),
         )

@@ -87,6 +87,25 @@ def test_what_holds_and_the_pills_take_over_another_language_at_once(
     assert session.messages.standing.told() == english
 
 
+def test_mostly_unknown_fruit_are_said_each_time_and_stay_until_they_are_put_away(
+    qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bar = TopBar(theme)
+    qtbot.addWidget(bar)
+    watch = HealthWatch(session, bar, bar)
+    ticked, running = session.running.ticked, Running(LiveState(Phase.RUNNING))
+    monkeypatch.setattr(session, "running", running)
+    for count in (1, 1, 2):
+        running.state = LiveState(Phase.RUNNING, warnings=(LiveWarning("mostly_unknown", "", (), count),))
+        ticked.emit()
+    first, second = session.messages.history
+    assert first.stays
+    assert "belt" in first.what
+    assert "train again" in first.remedy
+    assert second.says_as(first)
+    watch.stop()
+
+
 def test_a_clock_is_said_to_leap_each_time(
     qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -64,6 +64,24 @@ def test_without_a_model_everything_is_counted_as_unknown(
     assert report_in(tmp_path)["counts"] == {"unknown": len(stage.line.simulation.truth.fruit)}
 
 
+def test_a_model_that_knows_few_of_the_fruit_is_told_of_and_one_that_knows_them_is_not(
+    stage: Stage, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    head, *lines = Path(stage.path("labels.csv")).read_text().splitlines()
+    labels, model = tmp_path / "labels.csv", tmp_path / "lemons.fruit"
+    labels.write_text("\n".join([head, *(line for line in lines if ",lemon," in line)]) + "\n")
+    station, training = ["--station", stage.path("station.json")], stage.path("training.mcap")
+    assert main(["train", training, "--labels", str(labels), *station, "--model", str(model)]) == 0
+    said = []
+    for used in (str(model), stage.path("model.fruit")):
+        capsys.readouterr()
+        report = tmp_path / "report.json"
+        assert main(["run", training, *station, "--model", used, "--report", str(report)]) == 0
+        said.append([one for one in report_in(tmp_path)["warnings"] if "unknown to the model" in one])
+        assert all(one in capsys.readouterr().err for one in said[-1])
+    assert [len(one) for one in said] == [1, 0]
+
+
 def test_one_sensor_alone_counts_what_it_sees_and_the_other_is_missed_aloud(
     run: Callable[..., int], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Sequence
 
+from fruitgui.classification.evidence import KindVote
 from fruitgui.errors import FruitguiError
 from fruitgui.geometry.rig import Rig
 from fruitgui.measurement.rough import rough_size
@@ -16,6 +17,7 @@ from fruitgui.station.live.helper import HelperLostError, JobError, Weigh, Worke
 from fruitgui.station.live.state import Finished, KindTotal, Spot, Totals
 from fruitgui.station.live.weighing import Weighing
 from fruitgui.station.sink import CountedFruit
+from fruitgui.station.unknowns import UnknownWatch
 from fruitgui.station.waiting import BufferedSink, SinkState
 from fruitgui.tracking.track import Track
 
@@ -55,6 +57,7 @@ class Counting:
         self._teacher = teacher
         self._warn = warn
         self._judged: Callable[[Weighing], Judgement] = self._weighed
+        self._unknowns = UnknownWatch()
         self._number = 0
         self._unkept: dict[int, Finished] = {}
         self._last: deque[tuple[CountedFruit, Finished]] = deque(maxlen=LAST_FRUIT)
@@ -88,6 +91,7 @@ class Counting:
         if lot is None:
             self.totals = Totals(self.totals.kinds, self.totals.passed + 1)
             return
+        self._watch_unknown(judgement.vote)
         self._unkept[self._number] = finished
         while len(self._unkept) > UNKEPT:
             del self._unkept[next(iter(self._unkept))]
@@ -97,6 +101,12 @@ class Counting:
         """Try again to keep what waits, if anything does."""
         if self._sink.state.waiting:
             self._add(self._sink.retry())
+
+    def _watch_unknown(self, vote: KindVote) -> None:
+        """Say it where most fruit are unknown to the model; those of which no model was asked tell nothing."""
+        said = None if vote == NOBODY_SAYS else self._unknowns.see(vote.kind)
+        if said is not None:
+            self._warn("mostly_unknown", said, ())
 
     def _weighed(self, weighing: Weighing) -> Judgement:
         """Measure a track, beside or here; one that cannot be measured is counted all the same, and said."""

@@ -217,6 +217,14 @@
         <translation>Una fruta se siguió pero no se pudo contar.</translation>
     </message>
     <message>
+        <source>Most fruit are unknown to the model: the light or the belt&apos;s colour may have changed since teaching.</source>
+        <translation>El modelo no conoce la mayor parte de la fruta: la luz o el color de la cinta pueden ser otros que al enseñar.</translation>
+    </message>
+    <message>
+        <source>Clean the belt where it is wet or dirty; or name some of these fruit and train again.</source>
+        <translation>Limpie la cinta si está mojada o sucia; o nombre algunas de estas frutas y entrene de nuevo.</translation>
+    </message>
+    <message>
         <source>{well}/{all} sensors</source>
         <translation>{well}/{all} sensores</translation>
     </message>
