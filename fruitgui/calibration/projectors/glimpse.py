@@ -46,7 +46,8 @@ class Level:
 
     Attributes:
         holes: median share of the picture without depth. holes_std: of one picture's.
-        noise_mm: standard deviation of one reading from picture to picture (root mean square over readings).
+        noise_mm: standard deviation of one reading from picture to picture (root mean square over readings; the
+            hundredth that jumps farthest counts as if it jumped no farther than the others).
         depth_mm: (h, w) float32, median; NaN where most pictures have none.
         bias_std_mm: of the mean of one picture's readings less these.
         apart_mm, apart_std_mm: mean of how far one picture's readings are from these either way, and its deviation.
@@ -69,8 +70,10 @@ class Level:
         depth[seen] = np.nanmedian(stack[:, seen], axis=0)
         holes = [one.holes for one in pictures]
         bias_mm, apart_mm = zip(*(_from(depth, one.depth_mm) for one in pictures), strict=True)
-        steps = np.diff(stack[:, seen].astype(np.float64), axis=0)
-        noise = float(np.sqrt(0.5 * np.nanmean(steps**2))) if np.isfinite(steps).any() else 0.0
+        steps = np.diff(stack[:, seen].astype(np.float64), axis=0) ** 2
+        steps = steps[np.isfinite(steps)]
+        # A reading at an edge that is now of this side, now of the other, would outweigh a thousand others.
+        noise = float(np.sqrt(0.5 * np.minimum(steps, np.quantile(steps, BUT_FEW)).mean())) if steps.size else 0.0
         return cls(
             float(np.median(holes)), _deviation(holes), noise, depth, _deviation(bias_mm),
             float(np.median(apart_mm)), _deviation(apart_mm),
@@ -92,6 +95,9 @@ class Level:
 
 MOSTLY = 0.6
 """A reading counts where at least so many pictures have it."""
+
+BUT_FEW = 0.99
+"""Share of the steps between readings beyond which the others count no more."""
 
 SPREADS = 4.0
 LEAST_HOLES = 0.004

@@ -97,3 +97,17 @@ def test_holes_and_noise_together_tell_who_is_blinded() -> None:
         assert found.harm is harm, (more, noise_mm)
         assert found.holes_together - found.holes_alone == pytest.approx(more, abs=0.004)
     assert interference(steady, trial(rng, settles_s=1e-6, pictures=3)) is None
+
+
+def test_edges_that_flicker_are_no_noise_of_another_light() -> None:
+    rng = np.random.default_rng(6)
+    steady = Level.of(trial(rng, settles_s=1e-6, pictures=20))
+    together = []
+    for one in trial(rng, settles_s=1e-6, pictures=10):
+        depth_mm = one.depth_mm.copy()
+        edge = depth_mm[0]
+        edge[rng.random(edge.size) < 0.08] += 400.0
+        together.append(replace(one, depth_mm=depth_mm))
+    found = interference(steady, together)
+    assert found is not None
+    assert found.harm is Harm.NONE
