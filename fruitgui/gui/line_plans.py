@@ -47,7 +47,7 @@ def model_reader(workspace: Workspace, saving: Saving, station: Station) -> Call
         saving.wait()  # what a person typed of kinds just now belongs to the model
         kept = workspace.model(station)
         if kept.damage is not None:
-            raise kept.damage.error if kept.damage.set_aside is not None else _gone(kept.damage.file)
+            raise kept.damage.error if kept.damage.set_aside or kept.damage.file.exists() else _gone(kept.damage.file)
         return kept.value
 
     return model

@@ -45,16 +45,14 @@ class ModelCheck(QObject):
             self._session.messages.say(Message(Level.BAD, partial(self._told, damage), use, stays=True))
 
     def _told(self, damage: Damage) -> Told:
+        why = self.tr("No lot starts without the model that it is to name fruit by.")
         if damage.set_aside is None:
-            what = self.tr("{file} is not there.")
+            what = self.tr("{file} cannot be read.")
         else:
             what = self.tr("{file} is damaged; it was set aside, unharmed.")
-        why = self.tr("No lot starts without the model that it is to name fruit by.")
-        take, without = self.tr("Take the last good one"), self.tr("Count without a model")
-        action = without if damage.last_good is None else take
-        if damage.set_aside is not None:
             why = f"{error_words.told(damage.error).what} {why}"
-        return Told(what.format(file=damage.file.name), why, action)
+        take, without = self.tr("Take the last good one"), self.tr("Count without a model")
+        return Told(what.format(file=damage.file.name), why, without if damage.last_good is None else take)
 
     def _use(self, path: Path | None) -> None:
         """Name fruit by another model from the next lot on, or by none."""

@@ -75,7 +75,7 @@ class Counting:
 
     def hurry(self) -> None:
         """Measure roughly from now on: somebody waits for the end, and a fruit is better counted than lost."""
-        self._judged = self._roughly
+        self._judged = self._hurried
 
     def count(self, weighing: Weighing) -> None:
         """Count a fruit once it is measured."""
@@ -120,6 +120,10 @@ class Counting:
         if isinstance(here, Judgement):
             return here
         self._warn("fruit_not_measured", f"A fruit could not be measured, only counted: {error}", ())
+        return self._roughly(weighing)
+
+    def _hurried(self, weighing: Weighing) -> Judgement:
+        self._warn("fruit_not_measured", "A fruit could not be measured in time, only counted.", ())
         return self._roughly(weighing)
 
     def _roughly(self, weighing: Weighing) -> Judgement:

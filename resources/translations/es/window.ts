@@ -334,8 +334,8 @@
 <context>
     <name>ModelCheck</name>
     <message>
-        <source>{file} is not there.</source>
-        <translation>{file} no está.</translation>
+        <source>{file} cannot be read.</source>
+        <translation>{file} no se puede leer.</translation>
     </message>
     <message>
         <source>{file} is damaged; it was set aside, unharmed.</source>

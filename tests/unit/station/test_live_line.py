@@ -302,13 +302,14 @@ def test_stopping_counts_what_helpers_that_stand_still_do_not_measure() -> None:
     line, feed, sink = line_of(left)
     line.start()
     feed.start()
-    until(lambda: line.state.frames == ALL_IN_VIEW and len(multiprocessing.active_children()) > 0, 60.0)
+    until(lambda: line.state.frames == ALL_IN_VIEW and all(one.works for one in line._bench.helpers), 60.0)
     for child in multiprocessing.active_children():
         os.kill(child.pid or 0, signal.SIGSTOP)
     assert line.stop(0.5)
     assert feed.stop() == ()
     assert [one.fruit.fruit for one, _ in sink.kept] == [1, 2, 3]
     assert not multiprocessing.active_children()
+    assert {one.code for one in line.state.warnings} == {"fruit_not_measured"}, "sized roughly, and said so"
 
 
 def test_a_sensor_that_dies_does_not_hold_the_others() -> None:
