@@ -115,19 +115,15 @@ def test_the_process_holds_what_it_was_given() -> None:
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the system does not say")
 def test_processes_beside_are_found_with_those_that_they_started() -> None:
-    told = (
-        "import subprocess, sys; one = subprocess.Popen([sys.executable, '-c', 'input()']); print(one.pid, flush=True)"
-    )
+    program = "import subprocess, sys; one = subprocess.Popen([sys.executable, '-c', 'input()'])"
+    program += "; print(one.pid, flush=True); one.wait()"
     with subprocess.Popen(
-        [sys.executable, "-c", f"{told}; print(one.pid, flush=True); one.wait()"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        text=True,
+        [sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     ) as first:
         assert first.stdout is not None
         second = int(first.stdout.readline())
         assert {first.pid, second} <= set(watches.beside_pids())
-        assert watches.resident_mb(second) > 1.0
+        assert watches.resident_mb(first.pid) > 1.0
         first.communicate("\n")
     assert first.pid not in watches.beside_pids()
     assert watches.resident_mb(first.pid) == 0.0
