@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from fruitgui.errors import FruitguiError
 from fruitgui.records.lot import Lot
 from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
@@ -79,10 +80,14 @@ def begun(feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], so
         sink.then = aside.keep
     teacher = None if aside is None else aside.take
     line = LineApart(feed, plan.station, model, Counting(BufferedSink(sink), teacher), None, plan.intake)
-    lot = begin()
-    totals = store.lots.totals(lot.key)
-    line.count_into(None if lot.paused else lot.key)
     line.start()
+    try:
+        lot = begin()
+        totals = store.lots.totals(lot.key)
+    except FruitguiError:
+        line.stop(0.0)
+        raise
+    line.count_into(None if lot.paused else lot.key)
     if plan.again is not None:
         feed.start()
     return Begun(feed, line, lot, sink, aside, () if model is None else tuple(model.kinds.kinds), totals)
