@@ -29,6 +29,8 @@ from tests.window.patience import qtbot
 __all__ = ["qtbot"]
 
 END_S = 20.0
+NEVER = 1_000_000
+"""So often is nothing collected while a test lasts."""
 
 
 @pytest.fixture(scope="session")
@@ -63,12 +65,22 @@ def _left(before: set[threading.Thread]) -> list[str]:
 
 
 @pytest.fixture(autouse=True)
+def old_garbage_waits() -> Iterator[None]:
+    """Leave what has lived for a while to `nothing_left`: a worker's thread must not be the one to end a widget."""
+    young, middle, old = gc.get_threshold()
+    gc.set_threshold(young, middle, NEVER)
+    yield
+    gc.set_threshold(young, middle, old)
+
+
+@pytest.fixture(autouse=True)
 def nothing_left(qapp: QApplication) -> Iterator[None]:
     """Fail a test that leaves a window or a thread behind."""
     threads, windows = set(threading.enumerate()), set(map(id, qapp.topLevelWidgets()))
     yield
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     gc.collect()
+    gc.freeze()  # what is there now is no test's own: to look through all of it again takes a fifth of a second
     QCoreApplication.processEvents()
     assert not (left := _left(threads)), f"threads are left: {left}"
     shown = [one for one in qapp.topLevelWidgets() if id(one) not in windows and one.isVisible()]
