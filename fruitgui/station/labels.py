@@ -19,7 +19,7 @@ MAX_ROWS = 1_000_000
 LONGEST_KIND = 64
 
 
-class _BadCell(ValueError):
+class _BadCellError(ValueError):
     """What a row says in one column cannot be."""
 
     def __init__(self, column: str, what: str, remedy: str) -> None:
@@ -70,7 +70,7 @@ def read_labels(path: Path) -> LabelFile:
     """
     reader = csv.DictReader(io.StringIO(read_text(path), newline=""), strict=True, skipinitialspace=True)
     labels: list[Label] = []
-    bad: list[tuple[int, _BadCell]] = []
+    bad: list[tuple[int, _BadCellError]] = []
     try:
         missing = [name for name in REQUIRED if name not in (reader.fieldnames or ())]
         if missing:
@@ -80,7 +80,7 @@ def read_labels(path: Path) -> LabelFile:
         for row in reader:
             try:
                 labels.append(_label(reader.line_num, row))
-            except _BadCell as error:
+            except _BadCellError as error:
                 bad.append((reader.line_num, error))
             if reader.line_num > MAX_ROWS:
                 raise InputError("bad_labels", f"{path} has more than {MAX_ROWS} rows.", "Split it.", file=path)
@@ -93,7 +93,7 @@ def read_labels(path: Path) -> LabelFile:
     return LabelFile(path, tuple(labels), tuple(warnings))
 
 
-def _nothing_usable(path: Path, bad: Sequence[tuple[int, _BadCell]]) -> InputError:
+def _nothing_usable(path: Path, bad: Sequence[tuple[int, _BadCellError]]) -> InputError:
     if not bad:
         return InputError("bad_labels", f"{path} holds no row below its header.", REMEDY, file=path, where="line 1")
     line, first = bad[0]
@@ -105,10 +105,10 @@ def _label(line: int, row: dict[str, str | None]) -> Label:
     kind = (row["kind"] or "").strip()
     sensor = (row["sensor"] or "").strip()
     if not sensor:
-        raise _BadCell("sensor", "it is empty", "Write the sensor's id.")
+        raise _BadCellError("sensor", "it is empty", "Write the sensor's id.")
     if not kind or len(kind) > LONGEST_KIND or not kind.isprintable():
         remedy = f"Write 1 to {LONGEST_KIND} printable letters."
-        raise _BadCell("kind", f"{kind[:40]!r} is no name of a kind", remedy)
+        raise _BadCellError("kind", f"{kind[:40]!r} is no name of a kind", remedy)
     return Label(
         line=line,
         sensor=sensor,
@@ -127,9 +127,9 @@ def _number(row: dict[str, str | None], name: str) -> float:
     try:
         value = float(text)
     except ValueError as error:
-        raise _BadCell(name, f"{text[:40]!r} is not a number", NUMBER_REMEDY) from error
+        raise _BadCellError(name, f"{text[:40]!r} is not a number", NUMBER_REMEDY) from error
     if not math.isfinite(value):
-        raise _BadCell(name, f"{text[:40]!r} is not a finite number", NUMBER_REMEDY)
+        raise _BadCellError(name, f"{text[:40]!r} is not a finite number", NUMBER_REMEDY)
     return value
 
 
@@ -138,5 +138,5 @@ def _positive(row: dict[str, str | None], name: str) -> float | None:
         return None
     value = _number(row, name)
     if value <= 0:
-        raise _BadCell(name, f"{value:g} is not above zero", "Write what was measured, or leave it empty.")
+        raise _BadCellError(name, f"{value:g} is not above zero", "Write what was measured, or leave it empty.")
     return value
