@@ -79,7 +79,7 @@ def see_from_higher(still: Still, belt: SeenFlat, raised_m: float) -> SeenFlat |
     """Return the belt as a raised sensor sees it; None where no plane lies as it did.
 
     From higher the floor may fill more of the picture than the belt: of planes about where the belt must be the largest
-    is taken, and where there is none the nearest to it.
+    is taken, and where there is none the nearest to it. A sensor that was lowered instead sees most of the belt.
 
     Args:
         still: uncorrected.
@@ -94,9 +94,11 @@ def see_from_higher(still: Still, belt: SeenFlat, raised_m: float) -> SeenFlat |
     ]
     if not offs:
         return None
+    largest = offs[0][1]
+    lowered = read_raised_m(largest, belt.coefficients) < -CLOSE_SHARE * raised_m
     close = [one for off_m, one in offs if off_m < CLOSE_SHARE * raised_m]
-    first = close[0] if close else min(offs, key=lambda one: one[0])[1]
-    _, on = planes.refine(still, first, np.ones(still.seen.shape, dtype=bool))
+    nearest = largest if lowered else min(offs, key=lambda one: one[0])[1]
+    _, on = planes.refine(still, close[0] if close else nearest, np.ones(still.seen.shape, dtype=bool))
     return _flat(still, on)
 
 

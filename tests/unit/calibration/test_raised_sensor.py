@@ -193,6 +193,16 @@ def test_the_belt_is_found_where_more_of_the_floor_is_seen_from_higher() -> None
     assert abs(read_raised_m(still_low.coefficients, belt.coefficients)) < 0.01
 
 
+def test_a_sensor_that_was_lowered_sees_the_belt_not_the_floor() -> None:
+    belt = see_belt(_still(4, raised_m=RAISED_M))
+    assert belt is not None
+    lower = see_from_higher(_still(1), belt, RAISED_M)
+    assert lower is not None
+    assert read_raised_m(lower.coefficients, belt.coefficients) == pytest.approx(-RAISED_M, abs=0.01)
+    raised = RaisedSensor(_still(1), RAISED_M)
+    assert _reason(Measurements(BareBelt(_still(4, raised_m=RAISED_M)), raised=(raised,))).code == "raised_differs"
+
+
 def test_a_sensor_that_was_turned_as_it_was_raised_is_believed_less() -> None:
     level = _problem(Measurements(_belt(), raised=(_higher(),)))
     ((seen, told),) = level.raised
