@@ -19,6 +19,7 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.messages import Message, Messages
 from fruitgui.gui.session import Session
+from fruitgui.gui.shots.school import enrolled
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme, load_fonts
 from fruitgui.gui.told import Words
@@ -51,6 +52,16 @@ def session(qtbot: QtBot, tmp_path: Path) -> Iterator[Session]:
     made = Session(open_workspace(tmp_path / "line"))
     yield made
     assert made.close(), "something did not end in time"
+    qtbot.waitUntil(lambda: not made.tasks.running)
+    made.deleteLater()
+
+
+@pytest.fixture
+def taught(qtbot: QtBot, tmp_path: Path, schoolhouse: Path) -> Iterator[Session]:
+    """A session on a copy of a school that the file of tests names."""
+    made = Session(open_workspace(enrolled(schoolhouse, tmp_path / "line")))
+    yield made
+    assert made.close()
     qtbot.waitUntil(lambda: not made.tasks.running)
     made.deleteLater()
 
