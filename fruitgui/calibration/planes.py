@@ -97,7 +97,11 @@ def _best_of_samples(inverse: F64, rays: F64, free: Bools, rng: np.random.Genera
 
 
 def _least_squares(rays: F64, inverse: F64) -> F64:
-    return np.asarray(np.linalg.lstsq(rays, inverse, rcond=None)[0])
+    """Return the coefficients nearest to all; rays part enough for the normal equations, which are quick."""
+    hessian = rays.T @ rays
+    if np.linalg.matrix_rank(hessian) < len(hessian):
+        return np.asarray(np.linalg.lstsq(rays, inverse, rcond=None)[0])
+    return np.asarray(np.linalg.solve(hessian, rays.T @ inverse))
 
 
 def refine(still: Still, coefficients: F64, allowed: Bools) -> tuple[PlaneFit, Bools]:
@@ -107,25 +111,32 @@ def refine(still: Still, coefficients: F64, allowed: Bools) -> tuple[PlaneFit, B
     picture's tiles pull in different directions (sandwich estimator over 12×16 tiles), not from
     the count of pixels.
     """
-    rays = rays_of(still)
-    inverse = still.inverse_depth.astype(np.float64)
+    usable = allowed & still.seen
+    rays, inverse = rays_of(still)[usable], still.inverse_depth[usable].astype(np.float64)
     bound = ON_PLANE
-    on = allowed
     for _ in range(4):
-        residual = inverse - rays @ coefficients
-        on = allowed & still.seen & (np.abs(residual) < bound)
-        coefficients = _least_squares(rays[on], inverse[on])
-        spread = 1.4826 * float(np.median(np.abs(residual[on])))
+        off = np.abs(inverse - rays @ coefficients)
+        near = off < bound
+        A = rays[near]
+        coefficients = _least_squares(A, inverse[near])
+        spread = 1.4826 * float(np.median(off[near]))
         bound = float(np.clip(3.5 * spread, 0.25 * ON_PLANE, ON_PLANE))
-    covariance = _tile_covariance(rays, inverse - rays @ coefficients, on)
+    on = np.zeros_like(usable)
+    on[usable] = near
+    covariance = _tile_covariance(A, inverse[near] - A @ coefficients, on)
     return PlaneFit(plane_of(coefficients), coefficients, covariance, spread), on
 
 
-def _tile_covariance(rays: F64, residual: F64, on: Bools) -> F64:
-    """Return the sandwich covariance of the coefficients with whole tiles as independent observations."""
+def _tile_covariance(A: F64, r: F64, on: Bools) -> F64:
+    """Return the sandwich covariance of the coefficients with whole tiles as independent observations.
+
+    Args:
+        A: (N, 3) rays of the pixels that are on the plane.
+        r: (N,) how far their inverse depths are off.
+        on: (H, W) which pixels these are.
+    """
     v, u = np.nonzero(on)
     tile = (v * 12 // on.shape[0]) * 16 + u * 16 // on.shape[1]
-    A, r = rays[on], residual[on]
     pulls = np.stack([np.bincount(tile, A[:, k] * r, 192) for k in range(3)], axis=1)
     inverse_hessian = np.linalg.inv(A.T @ A)
     tiles = max(int((np.bincount(tile, minlength=192) > 0).sum()), 4)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,8 +14,18 @@ from fruitgui.files import read_text
 
 REQUIRED = ("sensor", "time_s", "u_px", "v_px", "kind")
 REMEDY = "The header must be sensor,time_s,u_px,v_px,kind,volume_ml (fruit and mass_g may follow)."
+NUMBER_REMEDY = "Write a number with a decimal point, such as 12.5."
 MAX_ROWS = 1_000_000
 LONGEST_KIND = 64
+
+
+class _BadCellError(ValueError):
+    """What a row says in one column cannot be."""
+
+    def __init__(self, column: str, what: str, remedy: str) -> None:
+        super().__init__(f"column {column}: {what}")
+        self.column = column
+        self.remedy = remedy
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,14 +63,14 @@ class LabelFile:
 
 
 def read_labels(path: Path) -> LabelFile:
-    """Return the labels of a file; rows that cannot be read are left out with a warning.
+    """Return the labels of a file; rows that cannot be read are left out with a warning that names line and column.
 
     Raises:
         InputError: the file cannot be read, has no such header, or no usable row.
     """
     reader = csv.DictReader(io.StringIO(read_text(path), newline=""), strict=True, skipinitialspace=True)
     labels: list[Label] = []
-    warnings: list[str] = []
+    bad: list[tuple[int, _BadCellError]] = []
     try:
         missing = [name for name in REQUIRED if name not in (reader.fieldnames or ())]
         if missing:
@@ -69,25 +80,35 @@ def read_labels(path: Path) -> LabelFile:
         for row in reader:
             try:
                 labels.append(_label(reader.line_num, row))
-            except ValueError as error:
-                warnings.append(f"{path}: line {reader.line_num}: {error}; the row is left out.")
+            except _BadCellError as error:
+                bad.append((reader.line_num, error))
             if reader.line_num > MAX_ROWS:
                 raise InputError("bad_labels", f"{path} has more than {MAX_ROWS} rows.", "Split it.", file=path)
     except csv.Error as error:
         where = f"line {reader.line_num}"
         raise InputError("bad_labels", f"{path}: {where}: {error}.", REMEDY, file=path, where=where) from error
     if not labels:
-        raise InputError("no_labels", f"{path} holds no usable row.", REMEDY, file=path)
+        raise _nothing_usable(path, bad)
+    warnings = (f"{path}: line {line}, {one}; the row is left out. {one.remedy}" for line, one in bad)
     return LabelFile(path, tuple(labels), tuple(warnings))
+
+
+def _nothing_usable(path: Path, bad: Sequence[tuple[int, _BadCellError]]) -> InputError:
+    if not bad:
+        return InputError("bad_labels", f"{path} holds no row below its header.", REMEDY, file=path, where="line 1")
+    line, first = bad[0]
+    what = f"{path} holds no usable row: line {line}, {first}."
+    return InputError("bad_labels", what, first.remedy, file=path, where=f"line {line}, column {first.column}")
 
 
 def _label(line: int, row: dict[str, str | None]) -> Label:
     kind = (row["kind"] or "").strip()
     sensor = (row["sensor"] or "").strip()
     if not sensor:
-        raise ValueError("sensor is empty")
+        raise _BadCellError("sensor", "it is empty", "Write the sensor's id.")
     if not kind or len(kind) > LONGEST_KIND or not kind.isprintable():
-        raise ValueError(f"kind must be 1 to {LONGEST_KIND} printable letters")
+        remedy = f"Write 1 to {LONGEST_KIND} printable letters."
+        raise _BadCellError("kind", f"{kind[:40]!r} is no name of a kind", remedy)
     return Label(
         line=line,
         sensor=sensor,
@@ -106,9 +127,9 @@ def _number(row: dict[str, str | None], name: str) -> float:
     try:
         value = float(text)
     except ValueError as error:
-        raise ValueError(f"{name} is {text[:40]!r}, not a number") from error
+        raise _BadCellError(name, f"{text[:40]!r} is not a number", NUMBER_REMEDY) from error
     if not math.isfinite(value):
-        raise ValueError(f"{name} is {text[:40]!r}, not a finite number")
+        raise _BadCellError(name, f"{text[:40]!r} is not a finite number", NUMBER_REMEDY)
     return value
 
 
@@ -117,5 +138,5 @@ def _positive(row: dict[str, str | None], name: str) -> float | None:
         return None
     value = _number(row, name)
     if value <= 0:
-        raise ValueError(f"{name} is {value:g}, not above zero")
+        raise _BadCellError(name, f"{value:g} is not above zero", "Write what was measured, or leave it empty.")
     return value

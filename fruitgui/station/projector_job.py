@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from itertools import combinations
 from typing import Any
@@ -32,6 +32,8 @@ TOGETHER = 20
 LONGEST_SILENCE_S = 12.0
 """A sensor of which nothing of use comes for so long, though the others had their turns, is not waited for."""
 
+_MEASURED = ("holes_alone", "holes_together", "noise_alone_mm", "noise_together_mm", "harm")
+
 ROOM = 64
 TAKE_S = 0.1
 ALONE = 0.6
@@ -49,6 +51,10 @@ class Pair:
 
     sensors: tuple[str, str]
     seen: tuple[Interference, Interference] | None
+
+    def measured(self) -> dict[str, Any]:
+        """Return what was measured of each of both, by name; nothing where that could not be told."""
+        return {name: tuple(getattr(one, name) for one in self.seen) for name in _MEASURED} if self.seen else {}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,8 +92,7 @@ def _pair_value(pair: Pair) -> dict[str, Any]:
     value: dict[str, Any] = {"sensors": list(pair.sensors)}
     if pair.seen is None:
         return {**value, "refused": Refusal.TOO_FEW.value}
-    fields = ("holes_alone", "holes_together", "noise_alone_mm", "noise_together_mm")
-    measured = {name: [getattr(one, name) for one in pair.seen] for name in fields}
+    measured = {name: list(both) for name, both in pair.measured().items()}
     return {**value, **measured, "harm": [one.harm.value for one in pair.seen]}
 
 
@@ -122,8 +127,7 @@ def try_projectors(
     pairs = []
     for number, couple in enumerate(couples):
         pictures = stage.together(couple, told, number / len(couples))
-        seen = tuple(interference(told[one].steady, pictures[one]) for one in couple)
-        first, second = seen
+        first, second = (interference(told[one].steady, pictures[one]) for one in couple)
         pairs.append(Pair(couple, None if first is None or second is None else (first, second)))
     return Tried(alone, tuple(pairs), _worth_keeping(told, pairs, {n: i.serial for n, i in feed.infos.items()}, when))
 
@@ -182,11 +186,7 @@ class _Stage:
         """Return the times that each was on alone."""
         trials = {sensor: _Trials() for sensor in self.usual.lights}
         slots = tuple((sensor,) for sensor in trials)
-
-        def enough(sensor: str) -> bool:
-            return len(trials[sensor].whole) >= TRIALS
-
-        for arrival in self._heard(slots, trials, enough):
+        for arrival in self._heard(slots, trials, lambda one: len(trials[one].whole) >= TRIALS):
             trials[arrival.frame.sensor].take(arrival)
             done = sum(min(len(one.whole), TRIALS) for one in trials.values())
             self.progress(ALONE * done / (TRIALS * len(trials)), f"{arrival.frame.sensor}")
@@ -197,13 +197,12 @@ class _Stage:
     ) -> Mapping[str, Sequence[Glimpse]]:
         """Return pictures of each of two while both lights are steady."""
         rest = tuple(sensor for sensor in self.usual.lights if sensor not in couple)
+        slots = (couple, rest) if rest else (couple,)
         pictures: dict[str, list[Glimpse]] = {sensor: [] for sensor in couple}
         steady_s = max(told[sensor].settle_s for sensor in couple)
         since_s: dict[str, float | None] = dict.fromkeys(couple)
         self.progress(ALONE + (1.0 - ALONE) * share, " + ".join(couple))
-        for arrival in self._heard(
-            (couple, rest) if rest else (couple,), couple, lambda one: len(pictures[one]) >= TOGETHER
-        ):
+        for arrival in self._heard(slots, couple, lambda one: len(pictures[one]) >= TOGETHER):
             sensor, lit = arrival.frame.sensor, arrival.lit
             if not set(couple) >= {sensor, *lit.others} or not lit.others:
                 since_s[sensor] = None
@@ -218,16 +217,16 @@ class _Stage:
         self, slots: tuple[tuple[str, ...], ...], wanted: Collection[str], enough: Callable[[str], bool]
     ) -> Iterator[Arrival]:
         """Yield what sensors give while slots are tried, until there is enough of each that is wanted."""
-        cycle_s = Schedule(slots, self.usual.lights, self.usual.views).cycle_s
+        schedule = replace(self.usual, slots=slots)
         heard_s = dict.fromkeys(wanted, time.monotonic())
-        with self.feed.rehearsal(Schedule(slots, self.usual.lights, self.usual.views), ROOM) as queue:
+        with self.feed.rehearsal(schedule, ROOM) as queue:
             while not all(map(enough, wanted)):
                 stop_if(self.cancelled)
                 arrival = queue.take(TAKE_S)
                 if arrival is not None and arrival.frame.sensor in wanted:
                     heard_s[arrival.frame.sensor] = arrival.arrived_s
                     yield arrival
-                silent = [one for one in wanted if not enough(one) and _is_silent(heard_s[one], cycle_s)]
+                silent = [one for one in wanted if not enough(one) and _is_silent(heard_s[one], schedule.cycle_s)]
                 if silent:
                     raise _silence(silent[0])
 
@@ -258,15 +257,7 @@ def _worth_keeping(
         if serials[sensor]
     }  # fmt: skip
     interferences = tuple(
-        MeasuredInterference(
-            serials=(serials[pair.sensors[0]], serials[pair.sensors[1]]),
-            holes_alone=(pair.seen[0].holes_alone, pair.seen[1].holes_alone),
-            holes_together=(pair.seen[0].holes_together, pair.seen[1].holes_together),
-            noise_alone_mm=(pair.seen[0].noise_alone_mm, pair.seen[1].noise_alone_mm),
-            noise_together_mm=(pair.seen[0].noise_together_mm, pair.seen[1].noise_together_mm),
-            harm=(pair.seen[0].harm, pair.seen[1].harm),
-            when=when,
-        )
+        MeasuredInterference(serials=(serials[pair.sensors[0]], serials[pair.sensors[1]]), when=when, **pair.measured())
         for pair in pairs
         if pair.seen is not None and all(serials[one] for one in pair.sensors)
     )

@@ -20,6 +20,9 @@ pytestmark = pytest.mark.accuracy
 SAME_M = 0.05
 """A path farther than this from every fruit's true centre belongs to none."""
 
+ABOUT_M = 0.5
+"""A fruit that was this far from a path amid it is not the one it is of."""
+
 
 @dataclass(frozen=True)
 class Outcome:
@@ -45,15 +48,21 @@ def run(simulation: Simulation) -> Outcome:
     squared: list[float] = []
     strangers = 0
     for track in tracks:
-        apart = {fruit: errors(track, simulation, fruit) for fruit in counts}
-        nearest = min(apart, key=lambda fruit: float(np.median(np.linalg.norm(apart[fruit], axis=1))))
-        if np.median(np.linalg.norm(apart[nearest], axis=1)) > SAME_M:
+        apart = {fruit: errors(track, simulation, fruit) for fruit in counts if is_about(track, simulation, fruit)}
+        nearest = min(apart, key=lambda fruit: float(np.median(np.linalg.norm(apart[fruit], axis=1))), default=None)
+        if nearest is None or np.median(np.linalg.norm(apart[nearest], axis=1)) > SAME_M:
             strangers += 1
             continue
         counts[nearest] += 1
         covariances = np.array([point.covariance_m2 for point in track.path])
         squared += np.einsum("ki,kij,kj->k", apart[nearest], np.linalg.inv(covariances), apart[nearest]).tolist()
     return Outcome(counts, strangers, np.array(squared), motion.speed_m_s)
+
+
+def is_about(track: Track, simulation: Simulation, fruit: int) -> bool:
+    """Tell whether a fruit was within some lengths of it amid a track; what was not is no nearest one."""
+    amid = track.path[len(track.path) // 2]
+    return float(np.linalg.norm(amid.position_m - simulation.truth.position_m(fruit, amid.time_s))) < ABOUT_M
 
 
 def errors(track: Track, simulation: Simulation, fruit: int) -> F64:

@@ -19,6 +19,7 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.messages import Message, Messages
 from fruitgui.gui.session import Session
+from fruitgui.gui.shots.school import enrolled
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme, load_fonts
 from fruitgui.gui.told import Words
@@ -29,6 +30,8 @@ from tests.window.patience import qtbot
 __all__ = ["qtbot"]
 
 END_S = 20.0
+NEVER = 1_000_000
+"""So often is nothing collected while a test lasts."""
 
 
 @pytest.fixture(scope="session")
@@ -53,6 +56,16 @@ def session(qtbot: QtBot, tmp_path: Path) -> Iterator[Session]:
     made.deleteLater()
 
 
+@pytest.fixture
+def taught(qtbot: QtBot, tmp_path: Path, schoolhouse: Path) -> Iterator[Session]:
+    """A session on a copy of a school that the file of tests names."""
+    made = Session(open_workspace(enrolled(schoolhouse, tmp_path / "line")))
+    yield made
+    assert made.close()
+    qtbot.waitUntil(lambda: not made.tasks.running)
+    made.deleteLater()
+
+
 def _left(before: set[threading.Thread]) -> list[str]:
     """Return the names of threads that are new and do not end, though they are given time to."""
     until_s = time.monotonic() + END_S
@@ -63,12 +76,22 @@ def _left(before: set[threading.Thread]) -> list[str]:
 
 
 @pytest.fixture(autouse=True)
+def old_garbage_waits() -> Iterator[None]:
+    """Leave what has lived for a while to `nothing_left`: a worker's thread must not be the one to end a widget."""
+    young, middle, old = gc.get_threshold()
+    gc.set_threshold(young, middle, NEVER)
+    yield
+    gc.set_threshold(young, middle, old)
+
+
+@pytest.fixture(autouse=True)
 def nothing_left(qapp: QApplication) -> Iterator[None]:
     """Fail a test that leaves a window or a thread behind."""
     threads, windows = set(threading.enumerate()), set(map(id, qapp.topLevelWidgets()))
     yield
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     gc.collect()
+    gc.freeze()  # what is there now is no test's own: to look through all of it again takes a fifth of a second
     QCoreApplication.processEvents()
     assert not (left := _left(threads)), f"threads are left: {left}"
     shown = [one for one in qapp.topLevelWidgets() if id(one) not in windows and one.isVisible()]

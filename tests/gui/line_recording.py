@@ -6,6 +6,8 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
+import pytest
+
 from fruitgui.gui.session import Session
 from fruitgui.simulation.scenes import line_scene
 from fruitgui.station.connection import connection_to
@@ -15,6 +17,7 @@ from fruitgui.station.sources import RecordedSource
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.workflow_file import Marks
 from fruitgui.station.workspace import Workspace
+from tests.made_once import made_once
 
 FRUIT = 6
 
@@ -46,14 +49,13 @@ class LineRecording:
         return Marks(belt_calibration=calibration_fingerprint(self.station))
 
 
-def record_line(folder: Path) -> LineRecording:
-    """Render it into a folder."""
+def line_recording(factory: pytest.TempPathFactory) -> LineRecording:
+    """Return it, rendered unless it is there."""
     simulation = line_scene(11, fruit=FRUIT, speed_m_s=0.25)
-    path = folder / "line.mcap"
-    record_simulation(simulation, path)
+    folder = made_once(factory, "line", lambda folder: record_simulation(simulation, folder / "line.mcap"))
     sensors = {
         name: StationSensor(simulation.device(name).serial, mount.pose, mount.surface)
         for name, mount in simulation.rig().mounts.items()
     }
     truth = Counter(one.kind for one in simulation.truth.fruit)
-    return LineRecording(path, Station(simulation.rig().reference, sensors), truth)
+    return LineRecording(folder / "line.mcap", Station(simulation.rig().reference, sensors), truth)

@@ -248,6 +248,23 @@ def test_a_second_height_that_does_not_do_is_said_and_cannot_be_taken(
     wizard.end()
 
 
+def test_who_lowers_the_sensor_is_told_to_begin_low(qtbot: QtBot, page: ConnectPage, bench: DepthBench) -> None:
+    wizard = _begin(qtbot, page)
+    assert "can only be lowered" in wizard.panel._rules.text()
+    bench.lay(Looked.RAISED)  # hung so high at first
+    qtbot.waitUntil(wizard.choices.take.isEnabled, timeout=LONG_MS)
+    wizard.choices.take.trigger()
+    qtbot.waitUntil(lambda: wizard.course is not None and wizard.course.stage is Stage.BOARD, timeout=LONG_MS)
+    _skip(wizard, Stage.BALL)
+    _skip(wizard, Stage.RAISED)
+    bench.lay(Looked.BELT)
+    qtbot.waitUntil(
+        lambda: wizard.panel.seen.text().startswith("The sensor hangs lower than at first"), timeout=LONG_MS
+    )
+    assert not wizard.choices.take.isEnabled()
+    wizard.end()
+
+
 def test_every_step_can_be_undone_and_stopped(
     qtbot: QtBot, benched: Session, page: ConnectPage, bench: DepthBench
 ) -> None:

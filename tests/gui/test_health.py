@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import pytest
+from PySide6.QtCore import SignalInstance
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -29,14 +31,39 @@ class Running:
     lot: None = None
 
 
-def test_what_is_blind_stands_until_it_is_seen_again(
-    qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    bar = TopBar(theme)
-    qtbot.addWidget(bar)
-    watch = HealthWatch(session, bar, bar)
-    running = Running(LiveState(Phase.RUNNING, blind=LEFT))
-    monkeypatch.setattr(session, "running", running)
+@pytest.fixture
+def bar(qtbot: QtBot, theme: Theme) -> TopBar:
+    made = TopBar(theme)
+    qtbot.addWidget(made)
+    return made
+
+
+@pytest.fixture
+def watch(session: Session, bar: TopBar) -> Iterator[HealthWatch]:
+    made = HealthWatch(session, bar, bar)
+    yield made
+    made.stop()
+
+
+@pytest.fixture
+def ticked(session: Session, watch: HealthWatch) -> SignalInstance:  # noqa: ARG001 - it listens before another runs
+    return session.running.ticked
+
+
+@pytest.fixture
+def running(
+    session: Session,
+    ticked: SignalInstance,  # noqa: ARG001 - of the line that runs no more
+    monkeypatch: pytest.MonkeyPatch,
+) -> Running:
+    """A line that runs, in place of the session's own."""
+    made = Running(LiveState(Phase.RUNNING))
+    monkeypatch.setattr(session, "running", made)
+    return made
+
+
+def test_what_is_blind_stands_until_it_is_seen_again(session: Session, watch: HealthWatch, running: Running) -> None:
+    running.state = LiveState(Phase.RUNNING, blind=LEFT)
     for _ in range(3):
         watch.look()
         assert session.messages.standing is not None
@@ -66,12 +93,10 @@ def test_room_near_the_limit_is_told_to_a_tenth(qapp: QApplication) -> None:  # 
 
 
 def test_what_holds_and_the_pills_take_over_another_language_at_once(
-    qtbot: QtBot, qapp: QApplication, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
+    qapp: QApplication, session: Session, watch: HealthWatch, running: Running
 ) -> None:
-    bar, language = TopBar(theme), Language()
-    qtbot.addWidget(bar)
-    watch = HealthWatch(session, bar, bar)
-    monkeypatch.setattr(session, "running", Running(LiveState(Phase.RUNNING, blind=LEFT)))
+    language = Language()
+    running.state = LiveState(Phase.RUNNING, blind=LEFT)
     watch.look()
     standing = session.messages.standing
     assert standing is not None
@@ -88,13 +113,8 @@ def test_what_holds_and_the_pills_take_over_another_language_at_once(
 
 
 def test_mostly_unknown_fruit_are_said_each_time_and_stay_until_they_are_put_away(
-    qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
+    session: Session, ticked: SignalInstance, running: Running
 ) -> None:
-    bar = TopBar(theme)
-    qtbot.addWidget(bar)
-    watch = HealthWatch(session, bar, bar)
-    ticked, running = session.running.ticked, Running(LiveState(Phase.RUNNING))
-    monkeypatch.setattr(session, "running", running)
     for count in (1, 1, 2):
         running.state = LiveState(Phase.RUNNING, warnings=(LiveWarning("mostly_unknown", "", (), count),))
         ticked.emit()
@@ -103,20 +123,11 @@ def test_mostly_unknown_fruit_are_said_each_time_and_stay_until_they_are_put_awa
     assert "belt" in first.what
     assert "train again" in first.remedy
     assert second.says_as(first)
-    watch.stop()
 
 
-def test_a_clock_is_said_to_leap_each_time(
-    qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    bar = TopBar(theme)
-    qtbot.addWidget(bar)
-    watch = HealthWatch(session, bar, bar)
-    ticked, running = session.running.ticked, Running(LiveState(Phase.RUNNING))
-    monkeypatch.setattr(session, "running", running)
+def test_a_clock_is_said_to_leap_each_time(session: Session, ticked: SignalInstance, running: Running) -> None:
     for count in (1, 1, 2):
         running.state = LiveState(Phase.RUNNING, warnings=(LiveWarning("clock_jumped", "", ("kinect_1",), count),))
         ticked.emit()
     said = [one.what for one in session.messages.history]
     assert said == 2 * ["The clock of kinect_1 leapt: fruit of this moment may be missing or twice."]
-    watch.stop()

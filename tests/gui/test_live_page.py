@@ -16,7 +16,7 @@ from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.station.live import Phase
 from fruitgui.station.workflow import State, Step
-from tests.gui.line_recording import FRUIT, LineRecording, record_line
+from tests.gui.line_recording import FRUIT, LineRecording, line_recording
 from tests.unit.station.fruit_made import made_fruit
 
 LONG_MS = 120_000
@@ -26,7 +26,7 @@ pytestmark = pytest.mark.xdist_group("live page")
 
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> LineRecording:
-    return record_line(tmp_path_factory.mktemp("line"))
+    return line_recording(tmp_path_factory)
 
 
 @pytest.fixture

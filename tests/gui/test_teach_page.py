@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
-from fruitgui.gui.shots.school import LABELS, RECORDING, enrolled, school, small_class
+from fruitgui.gui.shots.school import LABELS, RECORDING
 from fruitgui.gui.steps.teach.densities import DensitiesDialog
 from fruitgui.gui.steps.teach.desk import Pile, Shelf
 from fruitgui.gui.steps.teach.page import TeachPage
@@ -21,26 +21,16 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.store import Store, open_store
 from fruitgui.station.sources import RecordedSource
 from fruitgui.station.workflow import State, Step
-from fruitgui.station.workspace import open_workspace
+from tests.schools import FRUIT, nameless_school
 
 LONG_MS = 120_000
-FRUIT = 12
 
 pytestmark = pytest.mark.xdist_group("teach page")
 
 
 @pytest.fixture(scope="module")
 def schoolhouse(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return school(tmp_path_factory.mktemp("school") / "line", small_class(FRUIT), named=False)
-
-
-@pytest.fixture
-def taught(qtbot: QtBot, tmp_path: Path, schoolhouse: Path) -> Iterator[Session]:
-    made = Session(open_workspace(enrolled(schoolhouse, tmp_path / "line")))
-    yield made
-    assert made.close()
-    qtbot.waitUntil(lambda: not made.tasks.running)
-    made.deleteLater()
+    return nameless_school(tmp_path_factory)
 
 
 @pytest.fixture

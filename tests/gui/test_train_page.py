@@ -12,30 +12,21 @@ from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
-from fruitgui.gui.shots.school import enrolled, school, small_class
+from fruitgui.gui.shots.school import enrolled, name_all
 from fruitgui.gui.steps.train.page import TrainPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.station.workflow import State, Step
-from fruitgui.station.workspace import MODELS, open_workspace
+from fruitgui.station.workspace import MODELS
+from tests.schools import FRUIT, nameless_school
 
 LONG_MS = 180_000
-FRUIT = 12
 
 pytestmark = pytest.mark.xdist_group("train page")
 
 
 @pytest.fixture(scope="module")
 def schoolhouse(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return school(tmp_path_factory.mktemp("school") / "line", small_class(FRUIT))
-
-
-@pytest.fixture
-def taught(qtbot: QtBot, tmp_path: Path, schoolhouse: Path) -> Iterator[Session]:
-    made = Session(open_workspace(enrolled(schoolhouse, tmp_path / "line")))
-    yield made
-    assert made.close()
-    qtbot.waitUntil(lambda: not made.tasks.running)
-    made.deleteLater()
+    return name_all(enrolled(nameless_school(tmp_path_factory), tmp_path_factory.mktemp("school") / "line"))
 
 
 @pytest.fixture

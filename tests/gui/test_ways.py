@@ -26,7 +26,7 @@ from fruitgui.station.connection import connection_to
 from fruitgui.station.connection_changes import referred_to
 from fruitgui.station.sources import RecordedSource
 from fruitgui.station.workflow import READY, Facts, State, Step, StepState, TaughtFacts, Why, step_states
-from tests.gui.line_recording import LineRecording, record_line
+from tests.gui.line_recording import LineRecording, line_recording
 
 LONG_MS = 120_000
 
@@ -37,7 +37,7 @@ Happen = Callable[[Session, LineRecording], None]
 
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> LineRecording:
-    return record_line(tmp_path_factory.mktemp("line"))
+    return line_recording(tmp_path_factory)
 
 
 @pytest.fixture

@@ -17,7 +17,7 @@ import pytest
 from fruitgui.records.lot_search import LotLine, LotQuery
 from fruitgui.records.store import open_store
 from fruitgui.station.workspace import open_workspace
-from tests.gui.line_recording import LineRecording, record_line
+from tests.gui.line_recording import LineRecording, line_recording
 
 pytestmark = pytest.mark.xdist_group("window killed")
 
@@ -27,7 +27,7 @@ PATIENCE_S = 20.0
 
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> LineRecording:
-    return record_line(tmp_path_factory.mktemp("line"))
+    return line_recording(tmp_path_factory)
 
 
 @contextmanager

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from fruitgui.calibration.depth.measured import LENS_ASIDE_M, BallOnBelt, RaisedBoard, RaisedSensor, SeenBall, SeenFlat
-from fruitgui.calibration.depth.seeing import read_turn_rad, sphere_depth_m
+from fruitgui.calibration.depth.seeing import read_turn_rad, sphere_depth_m, sphere_slopes
 from fruitgui.frame import F64
 from fruitgui.sensors.depth_correction import DepthCorrection
 
@@ -84,7 +84,8 @@ def solve(problem: Problem) -> Solution:
     from scipy.optimize import least_squares
 
     unknowns = _Unknowns(problem)
-    found = least_squares(unknowns.residuals, np.zeros(unknowns.count), method="lm", xtol=1e-12, ftol=1e-12)
+    start = np.zeros(unknowns.count)
+    found = least_squares(unknowns.residuals, start, unknowns.jacobian, method="lm", xtol=1e-12, ftol=1e-12)
     inverse = np.linalg.inv(found.jac.T @ found.jac)
     free = np.array(problem.free)
     prior = np.array(PRIOR_STD)
@@ -133,6 +134,42 @@ class _Unknowns:
         parts.append(np.array([off for _, _, off in self._typed(x)]))
         return np.concatenate(parts)
 
+    def jacobian(self, x: F64) -> F64:
+        """Return how the residuals change with the unknowns: each thing's readings with its own and the terms alone."""
+        terms = self.terms(x)
+        units = np.array(PRIOR_STD) * self._problem.free
+        parts = [np.eye(TERM_COUNT, self.count)]
+        for number, flat in enumerate(self._problem.flats):
+            plane, bow = self._flat(x, number)
+            nearness = flat.rays @ plane
+            z_m = 1.0 / nearness + self._bend[number] @ bow
+            by_z, by_terms = _read_slopes(terms, flat.rays, z_m)
+            by_plane = -flat.rays * (self._plane_units[number] / nearness**2)[:, None]
+            by_own = by_z[:, None] * np.hstack([by_plane, self._bend[number] * BOW_STD_M])
+            at = TERM_COUNT + FLAT_COUNT * number
+            std = flat.std[:, None]
+            parts.append(self._rows(by_terms * units / std, by_own / std, at))
+            parts.append(np.eye(3, self.count, at + 3))
+        for number, (ball, told) in enumerate(self._problem.balls):
+            z_m, by_centre, by_radius = sphere_slopes(ball.rays, *self._ball(x, number))
+            by_z, by_terms = _read_slopes(terms, ball.rays, z_m)
+            by_own = by_z[:, None] * np.column_stack([by_centre * 0.01, by_radius * told.diameter_std_m / 2])
+            at = self._first_ball + BALL_COUNT * number
+            parts.append(self._rows(by_terms * units / ball.std, by_own / ball.std, at))
+        return np.concatenate([*parts, self._typed_slopes(x)])
+
+    def _rows(self, by_terms: F64, by_own: F64, at: int) -> F64:
+        """Return rows of the Jacobian that know but the terms and what begins at an unknown."""
+        rows = np.zeros((len(by_own), self.count))
+        rows[:, :TERM_COUNT] = by_terms
+        rows[:, at : at + by_own.shape[1]] = by_own
+        return rows
+
+    def _typed_slopes(self, x: F64, step: float = 1e-6) -> F64:
+        """Return how far what was typed gets from the rest with each unknown; of few numbers, by differences."""
+        offs = [np.array([off for _, _, off in self._typed(moved)]) for moved in (*(x + step * np.eye(len(x))), x)]
+        return np.asarray((np.stack(offs[:-1], axis=1) - offs[-1][:, None]) / step)
+
     def _flat(self, x: F64, number: int) -> tuple[F64, F64]:
         """Return the a of a plane, 1/z = a·(x, y, 1), and the factors of its bow, m."""
         part = x[TERM_COUNT + FLAT_COUNT * number :][:FLAT_COUNT]
@@ -173,6 +210,15 @@ def _read(terms: F64, rays: F64, z_m: F64) -> F64:
     scale, offset_m, radial_2, radial_4 = terms
     r2 = rays[:, 0] ** 2 + rays[:, 1] ** 2
     return np.asarray((scale + radial_2 * r2 + radial_4 * r2**2) / (z_m - offset_m))
+
+
+def _read_slopes(terms: F64, rays: F64, z_m: F64) -> tuple[F64, F64]:
+    """Return how `_read` changes with the true depth, (N,), and with the terms, (N, 4)."""
+    scale, offset_m, radial_2, radial_4 = terms
+    r2 = rays[:, 0] ** 2 + rays[:, 1] ** 2
+    nearness = 1.0 / (z_m - offset_m)
+    by_offset = (scale + radial_2 * r2 + radial_4 * r2**2) * nearness**2
+    return -by_offset, np.stack([nearness, by_offset, r2 * nearness, r2**2 * nearness], axis=1)
 
 
 def _over_m(plane: F64, point_m: F64) -> float:

@@ -79,7 +79,7 @@ def see_from_higher(still: Still, belt: SeenFlat, raised_m: float) -> SeenFlat |
     """Return the belt as a raised sensor sees it; None where no plane lies as it did.
 
     From higher the floor may fill more of the picture than the belt: of planes about where the belt must be the largest
-    is taken, and where there is none the nearest to it.
+    is taken, and where there is none the nearest to it. A sensor that was lowered instead sees most of the belt.
 
     Args:
         still: uncorrected.
@@ -94,9 +94,11 @@ def see_from_higher(still: Still, belt: SeenFlat, raised_m: float) -> SeenFlat |
     ]
     if not offs:
         return None
+    largest = offs[0][1]
+    lowered = read_raised_m(largest, belt.coefficients) < -CLOSE_SHARE * raised_m
     close = [one for off_m, one in offs if off_m < CLOSE_SHARE * raised_m]
-    first = close[0] if close else min(offs, key=lambda one: one[0])[1]
-    _, on = planes.refine(still, first, np.ones(still.seen.shape, dtype=bool))
+    nearest = largest if lowered else min(offs, key=lambda one: one[0])[1]
+    _, on = planes.refine(still, close[0] if close else nearest, np.ones(still.seen.shape, dtype=bool))
     return _flat(still, on)
 
 
@@ -171,7 +173,8 @@ def _ball(still: Still, part: Bools, ray: F64, nearest_m: float, radius_m: float
         off = inverse[cap] - 1.0 / sphere_depth_m(rays[cap], centre, radius_m)
         spread = 1.4826 * float(np.median(np.abs(off - np.median(off))))
         near = np.abs(off - np.median(off)) < max(3.5 * spread, 2.0 * INVERSE_STEP)
-        J = _centre_jacobian(rays[cap][near], centre, radius_m)
+        z_m, by_centre, _ = sphere_slopes(rays[cap][near], centre, radius_m)
+        J = -by_centre / z_m[:, None] ** 2
         centre = centre + np.asarray(np.linalg.lstsq(J, off[near], rcond=None)[0])
     used = np.nonzero(cap)[0][near]
     disc_px = np.pi * (CAP_SHARE * radius_m / centre[2]) ** 2 * still.intrinsics.fx * still.intrinsics.fy
@@ -192,12 +195,19 @@ def sphere_depth_m(rays: F64, centre_m: F64, radius_m: float) -> F64:
     return np.asarray((along - np.sqrt(np.maximum(under, 0.0))) / squares)
 
 
-def _centre_jacobian(rays: F64, centre_m: F64, radius_m: float) -> F64:
-    """Return how inverse depths (N,) on a sphere change with its centre, (N, 3)."""
-    step_m = 1e-5
-    here = 1.0 / sphere_depth_m(rays, centre_m, radius_m)
-    moved = [1.0 / sphere_depth_m(rays, centre_m + step_m * one, radius_m) for one in np.eye(3)]
-    return np.stack([(there - here) / step_m for there in moved], axis=1)
+def sphere_slopes(rays: F64, centre_m: F64, radius_m: float) -> tuple[F64, F64, F64]:
+    """Return `sphere_depth_m` and how it changes with centre, (N, 3), and radius, (N,); the rim's not with the radius.
+
+    Where z r is on the sphere, (z r − c)·(z r − c) = R²: as c and R change, r·(z r − c) dz = (z r − c)·dc + R dR.
+    """
+    z_m = sphere_depth_m(rays, centre_m, radius_m)
+    squares, along = (rays**2).sum(axis=1), rays @ centre_m
+    outward = z_m[:, None] * rays - centre_m
+    facing = z_m * squares - along
+    met = facing < 0.0
+    by_centre = rays / squares[:, None]
+    by_centre[met] = outward[met] / facing[met, None]
+    return z_m, by_centre, np.divide(radius_m, facing, out=np.zeros_like(z_m), where=met)
 
 
 def _aside_m(rays: F64, centre_m: F64) -> F64:

@@ -35,9 +35,14 @@ def school(folder: Path, simulation: Simulation, *, named: bool = True) -> Path:
     write_labels(folder / LABELS, [replace(one, kind=one.kind.replace("_", " ")) for one in labels])
     with open_store(folder) as store:
         watch_recording(store, folder / RECORDING, station, lambda _frames, _fruit: "", no_progress, never_cancelled)
-        if named:
-            import_labels(store.teaching, RECORDING, folder / LABELS)
-            weigh(store)
+    return name_all(folder) if named else folder
+
+
+def name_all(folder: Path) -> Path:
+    """Name all fruit of a school by its labels file, and weigh what was measured; return its folder."""
+    with open_store(folder) as store:
+        import_labels(store.teaching, RECORDING, folder / LABELS)
+        weigh(store)
     return folder
 
 

@@ -759,8 +759,12 @@
         <translation>1.  Detenga la cinta y despéjela.</translation>
     </message>
     <message>
-        <source>2.  Measure from the sensor&apos;s glass straight ahead to the belt, to the cross in the picture, and type it. Leave it at 0 if you have no tape.</source>
-        <translation>2.  Mida desde el cristal del sensor, en línea recta, hasta la cinta, donde está la cruz de la imagen, y escríbalo. Deje 0 si no tiene huincha.</translation>
+        <source>3.  Measure from the sensor&apos;s glass straight ahead to the belt, to the cross in the picture, and type it. Leave it at 0 if you have no tape.</source>
+        <translation>3.  Mida desde el cristal del sensor, en línea recta, hasta la cinta, donde está la cruz de la imagen, y escríbalo. Deje 0 si no tiene huincha.</translation>
+    </message>
+    <message>
+        <source>2.  If the sensor can only be lowered, lower it by 20 cm or more now: the second height is its own place.</source>
+        <translation>2.  Si el sensor solo se puede bajar, bájelo ahora 20 cm o más: la segunda altura es su propio lugar.</translation>
     </message>
     <message>
         <source>1.  Put a carton or a box with a flat, dull lid amid the picture; the higher the better.</source>
@@ -833,6 +837,10 @@
     <message>
         <source>The belt is not seen from there: let the sensor look at it.</source>
         <translation>Desde ahí no se ve la cinta: haga que el sensor la mire.</translation>
+    </message>
+    <message>
+        <source>The sensor hangs lower than at first: begin again from here, then raise it.</source>
+        <translation>El sensor está más abajo que al principio: empiece de nuevo desde aquí, y luego súbalo.</translation>
     </message>
     <message>
         <source>The sensor hangs where it was: raise it.</source>

@@ -3,89 +3,41 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 import pytest
 
-from fruitgui.calibration.depth.correct import correct_depth
 from fruitgui.calibration.depth.measured import (
     BallOnBelt,
     BareBelt,
-    DepthFit,
-    DepthReason,
-    DepthRefusal,
     Measurements,
     RaisedBoard,
 )
 from fruitgui.calibration.depth.seeing import see_ball, see_belt
 from fruitgui.calibration.planes import plane_of
-from fruitgui.calibration.still import Still, average
-from fruitgui.frame import F64
 from fruitgui.sensors.depth_correction import DepthCorrection
-from fruitgui.simulation.depth_bench import depth_bench
-from fruitgui.simulation.kinect import DepthModel
+from tests.unit.calibration.depth_stills import BIASED, bare_belt, distance_m, errors_m, fitted, refused, still_of
 
-RIG = 21
-BIASED = DepthModel(scale_error=0.012, offset_m=-0.009, radial_error=0.008, fattening_px=1.2)
-CORNER_R2 = (320**2 + 240**2) / 580**2
 HEIGHT_M, BALL_M = 0.20, 0.15
 
 
-@cache
-def _still(seed: int, board_m: float = 0.0, ball_m: float = 0.0, rig: int = RIG) -> Still:
-    scene = depth_bench(seed, rig, BIASED, board_height_m=board_m, ball_m=ball_m, captures=6)
-    return average(list(scene.frames()))
-
-
-@cache
-def _distance_m(rig: int = RIG) -> float:
-    plane = depth_bench(0, rig, BIASED).rig().mounts["kinect_1"].surface.plane
-    return -plane.offset_m / float(plane.normal[2])
-
-
-def _belt(typed_m: float | None = None) -> BareBelt:
-    return BareBelt(_still(1), typed_m)
-
-
 def _board(typed_m: float = HEIGHT_M, really_m: float = HEIGHT_M) -> RaisedBoard:
-    return RaisedBoard(_still(2, board_m=really_m), typed_m)
+    return RaisedBoard(still_of(2, board_m=really_m), typed_m)
 
 
 def _ball(typed_m: float = BALL_M) -> BallOnBelt:
-    return BallOnBelt(_still(3, ball_m=BALL_M), typed_m)
-
-
-def _fit(measured: Measurements) -> DepthFit:
-    made = correct_depth(measured)
-    assert isinstance(made, DepthFit), made
-    return made
-
-
-def _reason(measured: Measurements) -> DepthReason:
-    made = correct_depth(measured)
-    assert isinstance(made, DepthRefusal), made
-    assert all(reason.what and reason.remedy for reason in made.reasons)
-    return made.reasons[0]
-
-
-def _errors_m(correction: DepthCorrection, z_m: float) -> F64:
-    """Return how far corrected depths are off, from the middle of the picture to the height of its corner."""
-    r2 = np.linspace(0.0, 0.4, 5)
-    read = z_m * (1 + BIASED.scale_error + BIASED.radial_error * r2 / CORNER_R2) + BIASED.offset_m
-    scales = correction.scale + correction.radial_2 * r2 + correction.radial_4 * r2**2
-    return scales * read + correction.offset_m - z_m
+    return BallOnBelt(still_of(3, ball_m=BALL_M), typed_m)
 
 
 def test_belt_box_ball_and_tape_decide_scale_offset_and_bend() -> None:
-    made = _fit(Measurements(_belt(_distance_m()), (_board(),), (_ball(),)))
+    made = fitted(Measurements(bare_belt(distance_m()), (_board(),), (_ball(),)))
     assert made.decided == ("scale", "offset_m", "radial_2")
     assert made.missing == {}
     assert made.depth_std_m < 0.2 * made.depth_std_before_m
-    far_m = _distance_m()
-    assert np.abs(_errors_m(DepthCorrection(), far_m)).max() > 0.008
+    far_m = distance_m()
+    assert np.abs(errors_m(DepthCorrection(), far_m)).max() > 0.008
     for z_m in (far_m, far_m - HEIGHT_M):
-        assert np.abs(_errors_m(made.correction, z_m)).max() < 3.0 * made.depth_std_m + 0.001
+        assert np.abs(errors_m(made.correction, z_m)).max() < 3.0 * made.depth_std_m + 0.001
     assert made.distance_m == pytest.approx(far_m, abs=3.0 * made.depth_std_m)
     told = {one.what: one for one in made.figures}
     assert abs(told["ball"].after_m - BALL_M) < 0.001
@@ -95,7 +47,7 @@ def test_belt_box_ball_and_tape_decide_scale_offset_and_bend() -> None:
 
 
 def test_without_a_tape_the_offset_is_left_alone_and_said_to_be_missing() -> None:
-    made = _fit(Measurements(_belt(), (_board(),)))
+    made = fitted(Measurements(bare_belt(), (_board(),)))
     assert made.decided == ("scale", "radial_2")
     assert made.correction.offset_m == 0.0
     assert made.missing == {"offset_m": "distance"}
@@ -104,19 +56,19 @@ def test_without_a_tape_the_offset_is_left_alone_and_said_to_be_missing() -> Non
 
 
 def test_a_better_typed_height_makes_the_scale_surer() -> None:
-    rough = _fit(Measurements(_belt(_distance_m()), (replace(_board(), height_std_m=0.002),)))
-    fine = _fit(Measurements(_belt(_distance_m()), (replace(_board(), height_std_m=0.0005),)))
+    rough = fitted(Measurements(bare_belt(distance_m()), (replace(_board(), height_std_m=0.002),)))
+    fine = fitted(Measurements(bare_belt(distance_m()), (replace(_board(), height_std_m=0.0005),)))
     assert fine.std("scale") < 0.5 * rough.std("scale")
 
 
 def test_a_ball_is_read_by_its_cap_not_by_its_fattened_edge() -> None:
-    belt = see_belt(_still(1))
+    belt = see_belt(still_of(1))
     assert belt is not None
-    ball = see_ball(_still(3, ball_m=BALL_M), plane_of(belt.coefficients), BALL_M / 2)
+    ball = see_ball(still_of(3, ball_m=BALL_M), plane_of(belt.coefficients), BALL_M / 2)
     assert ball is not None
     height, width = ball.on.shape
     v, u = np.nonzero(ball.on)
-    camera = _still(1).intrinsics
+    camera = still_of(1).intrinsics
     radius_px = camera.fx * (BALL_M / 2) / ball.centre_m[2]
     assert np.pi * (0.6 * radius_px) ** 2 < ball.on.sum() < np.pi * (0.9 * radius_px) ** 2
     assert abs(u.mean() - width / 2) < 0.2 * width
@@ -124,25 +76,27 @@ def test_a_ball_is_read_by_its_cap_not_by_its_fattened_edge() -> None:
 
 
 def test_one_height_is_too_few() -> None:
-    assert _reason(Measurements(_belt(_distance_m()))).code == "too_few_heights"
+    assert refused(Measurements(bare_belt(distance_m()))).code == "too_few_heights"
 
 
 def test_an_empty_belt_has_neither_board_nor_ball() -> None:
-    bare = RaisedBoard(_still(7), HEIGHT_M)
-    assert _reason(Measurements(_belt(), (bare,))).code in ("board_not_seen", "height_differs"), "rails are no board"
-    assert _reason(Measurements(_belt(), balls=(BallOnBelt(_still(7), BALL_M),))).code == "ball_not_seen"
+    bare = RaisedBoard(still_of(7), HEIGHT_M)
+    assert refused(Measurements(bare_belt(), (bare,))).code in ("board_not_seen", "height_differs"), (
+        "rails are no board"
+    )
+    assert refused(Measurements(bare_belt(), balls=(BallOnBelt(still_of(7), BALL_M),))).code == "ball_not_seen"
 
 
 def test_a_ball_of_another_size_is_not_taken_for_the_one_that_was_typed() -> None:
-    assert _reason(Measurements(_belt(), balls=(_ball(0.07),))).code == "ball_not_seen"
+    assert refused(Measurements(bare_belt(), balls=(_ball(0.07),))).code == "ball_not_seen"
 
 
 def test_a_slip_of_the_pen_is_noticed() -> None:
-    assert _reason(Measurements(_belt(), (_board(0.30),))).code == "height_differs"
+    assert refused(Measurements(bare_belt(), (_board(0.30),))).code == "height_differs"
     # Within what could be the device's own error, the ball contradicts.
-    assert _reason(Measurements(_belt(_distance_m()), (_board(0.184),), (_ball(),))).code == "typed_disagrees"
+    assert refused(Measurements(bare_belt(distance_m()), (_board(0.184),), (_ball(),))).code == "typed_disagrees"
     # With nothing to contradict it, what no working device does is not believed.
-    assert _reason(Measurements(_belt(), (_board(0.177),))).code == "implausible"
+    assert refused(Measurements(bare_belt(), (_board(0.177),))).code == "implausible"
 
 
 def test_a_scene_that_moves_and_a_sensor_that_was_bumped_are_refused() -> None:
@@ -150,31 +104,31 @@ def test_a_scene_that_moves_and_a_sensor_that_was_bumped_are_refused() -> None:
     moving = np.zeros(board.still.moved.shape, dtype=bool)
     moving[100:200, 100:200] = True
     shown = RaisedBoard(replace(board.still, moved=moving), HEIGHT_M)
-    assert _reason(Measurements(_belt(), (shown,))).code == "scene_moved"
+    assert refused(Measurements(bare_belt(), (shown,))).code == "scene_moved"
     still = _ball().still
     inverse = np.where(still.seen, 1.0 / (1.0 / np.maximum(still.inverse_depth, 1e-6) + 0.006), 0.0).astype(np.float32)
-    assert _reason(Measurements(_belt(), balls=(BallOnBelt(replace(still, inverse_depth=inverse), BALL_M),))).code == (
-        "sensor_moved"
-    )
+    assert refused(
+        Measurements(bare_belt(), balls=(BallOnBelt(replace(still, inverse_depth=inverse), BALL_M),))
+    ).code == ("sensor_moved")
 
 
 def test_a_bowed_board_is_refused() -> None:
     board = _board()
     still = board.still
     x, y = np.moveaxis(still.intrinsics.rays(), -1, 0)
-    belt = see_belt(_still(1))
+    belt = see_belt(still_of(1))
     assert belt is not None
     lid = plane_of(belt.coefficients).height_m(still.points()) > HEIGHT_M / 2
     depth_m = 1.0 / np.maximum(still.inverse_depth, 1e-6) - np.where(lid, 0.06 * (x**2 + y**2), 0.0)
     inverse = np.where(still.seen, 1.0 / depth_m, 0.0).astype(np.float32)
     warped = RaisedBoard(replace(still, inverse_depth=inverse), HEIGHT_M)
-    assert _reason(Measurements(_belt(_distance_m()), (warped,))).code == "not_flat"
+    assert refused(Measurements(bare_belt(distance_m()), (warped,))).code == "not_flat"
 
 
 def test_a_wall_of_fog_is_no_belt() -> None:
-    still = _still(1)
+    still = still_of(1)
     rng = np.random.default_rng(0)
     fog = rng.uniform(0.3, 1.5, still.inverse_depth.shape).astype(np.float32)
-    assert _reason(Measurements(BareBelt(replace(still, inverse_depth=fog)), (_board(),))).code == "belt_not_seen"
+    assert refused(Measurements(BareBelt(replace(still, inverse_depth=fog)), (_board(),))).code == "belt_not_seen"
     nothing = np.zeros_like(still.inverse_depth)
-    assert _reason(Measurements(BareBelt(replace(still, inverse_depth=nothing)))).code == "belt_not_seen"
+    assert refused(Measurements(BareBelt(replace(still, inverse_depth=nothing)))).code == "belt_not_seen"

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 import pytest
 from numpy.random import Generator
 
-from fruitgui.calibration.depth.correct import correct_depth
 from fruitgui.calibration.depth.estimate import BOW_STD_M, PRIOR_STD, Problem, solve
 from fruitgui.calibration.depth.found import found
 from fruitgui.calibration.depth.measured import (
@@ -19,9 +17,6 @@ from fruitgui.calibration.depth.measured import (
     RAISED_STD_M,
     BallOnBelt,
     BareBelt,
-    DepthFit,
-    DepthReason,
-    DepthRefusal,
     Measurements,
     RaisedBoard,
     RaisedSensor,
@@ -30,54 +25,25 @@ from fruitgui.calibration.depth.measured import (
 )
 from fruitgui.calibration.depth.seeing import read_raised_m, read_turn_rad, see_belt, see_from_higher
 from fruitgui.calibration.depth.sureness import sureness, with_raise
-from fruitgui.calibration.still import Still, average
+from fruitgui.calibration.still import average
 from fruitgui.frame import F64
 from fruitgui.geometry.rotation import rotation_from_vector
 from fruitgui.sensors.depth_correction import DepthCorrection
 from fruitgui.simulation.depth_bench import depth_bench
-from fruitgui.simulation.kinect import DepthModel
+from tests.unit.calibration.depth_stills import BIASED, bare_belt, distance_m, errors_m, fitted, refused, still_of
 
-RIG, RAISED_M = 21, 0.30
-BIASED = DepthModel(scale_error=0.012, offset_m=-0.009, radial_error=0.008, fattening_px=1.2)
-CORNER_R2 = (320**2 + 240**2) / 580**2
+RAISED_M = 0.30
 DEVICES = 60
 TILE_STD = 1.2e-4
 """Of a tile's mean inverse depth, 1/m, as read on the bench."""
 
 
-@cache
-def _still(seed: int, board_m: float = 0.0, ball_m: float = 0.0, raised_m: float = 0.0) -> Still:
-    scene = depth_bench(
-        seed, RIG, BIASED, board_height_m=board_m, ball_m=ball_m, raised_m=raised_m, captures=6
-    )  # fmt: skip
-    return average(list(scene.frames()))
-
-
-@cache
-def _distance_m() -> float:
-    plane = depth_bench(0, RIG, BIASED).rig().mounts["kinect_1"].surface.plane
-    return -plane.offset_m / float(plane.normal[2])
-
-
-def _belt(*, taped: bool = True) -> BareBelt:
-    return BareBelt(_still(1), _distance_m() if taped else None)
+def _taped() -> BareBelt:
+    return bare_belt(distance_m())
 
 
 def _higher(typed_m: float = RAISED_M) -> RaisedSensor:
-    return RaisedSensor(_still(4, raised_m=RAISED_M), typed_m)
-
-
-def _fit(measured: Measurements) -> DepthFit:
-    made = correct_depth(measured)
-    assert isinstance(made, DepthFit), made
-    return made
-
-
-def _reason(measured: Measurements) -> DepthReason:
-    made = correct_depth(measured)
-    assert isinstance(made, DepthRefusal), made
-    assert all(reason.what and reason.remedy for reason in made.reasons)
-    return made.reasons[0]
+    return RaisedSensor(still_of(4, raised_m=RAISED_M), typed_m)
 
 
 def _problem(measured: Measurements) -> Problem:
@@ -86,22 +52,14 @@ def _problem(measured: Measurements) -> Problem:
     return made
 
 
-def _errors_m(correction: DepthCorrection, z_m: float) -> F64:
-    """Return how far corrected depths are off, from the middle of the picture to the height of its corner."""
-    r2 = np.linspace(0.0, 0.4, 5)
-    read = z_m * (1 + BIASED.scale_error + BIASED.radial_error * r2 / CORNER_R2) + BIASED.offset_m
-    scales = correction.scale + correction.radial_2 * r2 + correction.radial_4 * r2**2
-    return scales * read + correction.offset_m - z_m
-
-
 def test_belt_from_two_heights_and_a_tape_put_depth_right_with_nothing_on_the_belt() -> None:
-    made = _fit(Measurements(_belt(), raised=(_higher(),)))
+    made = fitted(Measurements(_taped(), raised=(_higher(),)))
     assert made.decided == ("scale", "offset_m", "radial_2")
-    far_m = _distance_m()
+    far_m = distance_m()
     for z_m in (far_m + RAISED_M, far_m, far_m - 0.15):
-        off_m = np.abs(_errors_m(made.correction, z_m)).max()
+        off_m = np.abs(errors_m(made.correction, z_m)).max()
         assert off_m < 3.0 * made.depth_std_m + 0.001
-        assert off_m < np.abs(_errors_m(DepthCorrection(), z_m)).max()
+        assert off_m < np.abs(errors_m(DepthCorrection(), z_m)).max()
     told = {one.what: one for one in made.figures}
     assert abs(told["raised"].after_m - RAISED_M) < 0.002 < abs(told["raised"].before_m - RAISED_M)
 
@@ -109,8 +67,8 @@ def test_belt_from_two_heights_and_a_tape_put_depth_right_with_nothing_on_the_be
 def test_a_second_height_tells_the_scale_and_a_tape_the_offset() -> None:
     known = {
         taped: (
-            _sure(Measurements(_belt(taped=taped)), "belt"),
-            _sure(Measurements(_belt(taped=taped), raised=(_higher(),)), "heights"),
+            _sure(Measurements(bare_belt(distance_m() if taped else None)), "belt"),
+            _sure(Measurements(bare_belt(distance_m() if taped else None), raised=(_higher(),)), "heights"),
         )
         for taped in (True, False)
     }
@@ -126,22 +84,22 @@ def _sure(measured: Measurements, by: str) -> Sureness:
 
 
 def test_what_each_part_tells_is_said_and_all_together_tell_most() -> None:
-    ball = BallOnBelt(_still(3, ball_m=0.15), 0.15)
-    board = RaisedBoard(_still(2, board_m=0.20), 0.20)
-    made = _fit(Measurements(_belt(), (board,), (ball,), (_higher(),)))
+    ball = BallOnBelt(still_of(3, ball_m=0.15), 0.15)
+    board = RaisedBoard(still_of(2, board_m=0.20), 0.20)
+    made = fitted(Measurements(_taped(), (board,), (ball,), (_higher(),)))
     told = {one.by: one for one in made.sureness}
     assert tuple(told) == ("belt", "heights", "ball", "all")
     for one in ("belt", "heights", "ball"):
         assert told["all"].scale_std < told[one].scale_std
         assert told["all"].offset_std_m < told[one].offset_std_m
     assert told["all"].depth_std_m == pytest.approx(made.depth_std_m)
-    assert tuple(one.by for one in _fit(Measurements(_belt(), raised=(_higher(),))).sureness) == ("belt", "all")
+    assert tuple(one.by for one in fitted(Measurements(_taped(), raised=(_higher(),))).sureness) == ("belt", "all")
 
 
 @pytest.mark.parametrize("taped", [True, False])
 def test_what_a_raise_will_bring_is_foretold(taped: bool) -> None:
-    before = solve(_problem(Measurements(_belt(taped=taped)))).covariance
-    after = solve(_problem(Measurements(_belt(taped=taped), raised=(_higher(),)))).covariance
+    before = solve(_problem(Measurements(bare_belt(distance_m() if taped else None)))).covariance
+    after = solve(_problem(Measurements(bare_belt(distance_m() if taped else None), raised=(_higher(),)))).covariance
     foretold = np.sqrt(np.diag(with_raise(before, RAISED_M)))
     assert foretold[:2] == pytest.approx(np.sqrt(np.diag(after))[:2], rel=0.2)
     assert np.all(np.linalg.eigvalsh(with_raise(before, 2.0)) > 0.0)
@@ -149,27 +107,27 @@ def test_what_a_raise_will_bring_is_foretold(taped: bool) -> None:
 
 def test_a_raise_that_is_too_small_is_refused() -> None:
     typed_m = LEAST_RAISED_M - 0.005
-    higher = RaisedSensor(_still(5, raised_m=typed_m), typed_m)
-    assert _reason(Measurements(_belt(), raised=(higher,))).code == "raised_too_little"
+    higher = RaisedSensor(still_of(5, raised_m=typed_m), typed_m)
+    assert refused(Measurements(_taped(), raised=(higher,))).code == "raised_too_little"
 
 
 def test_a_sensor_that_was_not_raised_or_by_another_length_is_refused() -> None:
-    assert _reason(Measurements(_belt(), raised=(RaisedSensor(_still(7), RAISED_M),))).code == "raised_differs"
-    assert _reason(Measurements(_belt(), raised=(_higher(0.40),))).code == "raised_differs"
+    assert refused(Measurements(_taped(), raised=(RaisedSensor(still_of(7), RAISED_M),))).code == "raised_differs"
+    assert refused(Measurements(_taped(), raised=(_higher(0.40),))).code == "raised_differs"
 
 
 def test_a_raise_that_contradicts_box_and_ball_is_refused() -> None:
-    ball = BallOnBelt(_still(3, ball_m=0.15), 0.15)
-    board = RaisedBoard(_still(2, board_m=0.20), 0.20)
-    measured = Measurements(_belt(), (board,), (ball,), (_higher(RAISED_M + 0.012),))
-    reason = _reason(measured)
+    ball = BallOnBelt(still_of(3, ball_m=0.15), 0.15)
+    board = RaisedBoard(still_of(2, board_m=0.20), 0.20)
+    measured = Measurements(_taped(), (board,), (ball,), (_higher(RAISED_M + 0.012),))
+    reason = refused(measured)
     assert (reason.code, reason.about) == ("typed_disagrees", "raised")
 
 
 def test_a_belt_that_is_not_seen_from_higher_is_refused() -> None:
-    still = _still(4, raised_m=RAISED_M)
+    still = still_of(4, raised_m=RAISED_M)
     nothing = replace(still, inverse_depth=np.zeros_like(still.inverse_depth))
-    made = _reason(Measurements(_belt(), raised=(RaisedSensor(nothing, RAISED_M),)))
+    made = refused(Measurements(_taped(), raised=(RaisedSensor(nothing, RAISED_M),)))
     assert made.code == "raised_belt_not_seen"
 
 
@@ -193,8 +151,18 @@ def test_the_belt_is_found_where_more_of_the_floor_is_seen_from_higher() -> None
     assert abs(read_raised_m(still_low.coefficients, belt.coefficients)) < 0.01
 
 
+def test_a_sensor_that_was_lowered_sees_the_belt_not_the_floor() -> None:
+    belt = see_belt(still_of(4, raised_m=RAISED_M))
+    assert belt is not None
+    lower = see_from_higher(still_of(1), belt, RAISED_M)
+    assert lower is not None
+    assert read_raised_m(lower.coefficients, belt.coefficients) == pytest.approx(-RAISED_M, abs=0.01)
+    raised = RaisedSensor(still_of(1), RAISED_M)
+    assert refused(Measurements(BareBelt(still_of(4, raised_m=RAISED_M)), raised=(raised,))).code == "raised_differs"
+
+
 def test_a_sensor_that_was_turned_as_it_was_raised_is_believed_less() -> None:
-    level = _problem(Measurements(_belt(), raised=(_higher(),)))
+    level = _problem(Measurements(_taped(), raised=(_higher(),)))
     ((seen, told),) = level.raised
     assert read_raised_m(seen.coefficients, level.belt.coefficients) == pytest.approx(RAISED_M, abs=0.01)
     turn = rotation_from_vector(np.array([np.radians(4.0), 0.0, 0.0]))
@@ -205,7 +173,7 @@ def test_a_sensor_that_was_turned_as_it_was_raised_is_believed_less() -> None:
 
 
 def test_a_sensor_keeps_its_plane_when_it_is_raised_on_the_bench() -> None:
-    belt, higher = see_belt(_still(1)), see_belt(_still(4, raised_m=RAISED_M))
+    belt, higher = see_belt(still_of(1)), see_belt(still_of(4, raised_m=RAISED_M))
     assert belt is not None
     assert higher is not None
     assert 0.0 < read_turn_rad(higher, belt) < np.radians(3.0), "a hand turns it a little"
@@ -241,7 +209,7 @@ def _draw_problem(seed: int) -> tuple[Problem, F64]:
     high = turn @ low * below_m / (below_m + raised_m)
     belt, higher = _draw_flat(rng, terms, low), _draw_flat(rng, terms, high)
     off_m = np.hypot(RAISED_STD_M, LENS_ASIDE_M * read_turn_rad(higher, belt))
-    told = RaisedSensor(_still(1), raised_m + rng.normal(0.0, off_m))
+    told = RaisedSensor(still_of(1), raised_m + rng.normal(0.0, off_m))
     taped_m = 1.0 / low[2] + rng.normal(0.0, DISTANCE_STD_M)
     return Problem(belt, (), (), float(taped_m), DISTANCE_STD_M, ((higher, told),)), terms
 

@@ -7,20 +7,19 @@ from pathlib import Path
 import pytest
 
 from fruitgui.classification.evidence import UNKNOWN
-from fruitgui.gui.shots.school import BEAKER_STD, LABELS, RECORDING, school, small_class
+from fruitgui.gui.shots.school import BEAKER_STD, LABELS, RECORDING, enrolled, name_all
 from fruitgui.records.insight import look_through
 from fruitgui.records.labels_file import import_labels
 from fruitgui.records.lesson import watch_recording
 from fruitgui.records.store import open_store
 from fruitgui.station.labels import read_labels
 from fruitgui.station.station_file import read_station
-
-FRUIT = 12
+from tests.schools import FRUIT, nameless_school
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return school(tmp_path_factory.mktemp("school") / "line", small_class(FRUIT))
+    return name_all(enrolled(nameless_school(tmp_path_factory), tmp_path_factory.mktemp("school") / "line"))
 
 
 def test_every_fruit_of_a_recording_comes_in_with_its_pictures_and_can_be_named_by_a_labels_file(folder: Path) -> None:

@@ -304,6 +304,22 @@ def test_registered_depth_of_half_the_resolution(tmp_path: Path) -> None:
     assert (frame.depth_mm[2:-2, 2:-2] == 1000).all()
 
 
+def test_a_thing_in_depth_of_half_the_resolution_lies_where_colour_shows_it(tmp_path: Path) -> None:
+    small = np.full((24, 32), 1000, np.uint16)
+    small[5:12, 7:20], small[15:18, 22:27] = 800, 0
+    wanted = small.repeat(2, axis=0).repeat(2, axis=1)
+    frame = depth_frame(tmp_path, ros.image(RAW_DEPTH, 1.0, "16UC1", small))
+    assert np.array_equal(frame.depth_mm[2:-2, 2:-2], wanted[2:-2, 2:-2])
+
+
+def test_registered_depth_of_another_shape_is_refused_with_a_remedy(tmp_path: Path) -> None:
+    other = np.full((20, 32), 1000, np.uint16)
+    with pytest.raises(InputError, match="not registered to colour") as caught:
+        depth_frame(tmp_path, ros.image(RAW_DEPTH, 1.0, "16UC1", other))
+    assert caught.value.where == RAW_DEPTH
+    assert "camera_info" in caught.value.remedy
+
+
 def test_metadata_names_the_device(tmp_path: Path) -> None:
     from mcap.writer import Writer
 

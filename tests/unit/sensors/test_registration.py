@@ -140,18 +140,19 @@ class Balls:
     def depth_m(self, camera: Intrinsics, to_scene: Pose) -> tuple[F64, np.ndarray]:
         """Return (z along the camera's axis, which ball is seen or -1), (height, width) each."""
         rays = camera.rays().astype(np.float64)
-        directions = to_scene.turn(np.concatenate([rays, np.ones((*rays.shape[:2], 1))], axis=-1))
+        directions = to_scene.rotation @ np.vstack([rays.reshape(-1, 2).T, np.ones(rays[..., 0].size)])
         origin = to_scene.translation_m
-        z, whose = (self.wall_m - origin[2]) / directions[..., 2], np.full(rays.shape[:2], -1)
-        a = (directions * directions).sum(axis=-1)
+        z, whose = (self.wall_m - origin[2]) / directions[2], np.full(rays[..., 0].size, -1)
+        a = (directions * directions).sum(axis=0)
         for n, (centre, radius) in enumerate(zip(self.centres_m, self.radii_m, strict=True)):
             apart = origin - centre
-            b = directions @ apart
+            b = apart @ directions
             inside_2 = b * b - a * (apart @ apart - radius * radius)
-            there = np.where(inside_2 > 0, (-b - np.sqrt(np.maximum(inside_2, 0))) / a, np.inf)
-            whose[there < z] = n
-            z = np.minimum(z, there)
-        return z, whose
+            met = np.flatnonzero(inside_2 > 0)
+            there = (-b[met] - np.sqrt(inside_2[met])) / a[met]
+            before = there < z[met]
+            z[met[before]], whose[met[before]] = there[before], n
+        return z.reshape(rays.shape[:2]), whose.reshape(rays.shape[:2])
 
 
 def balls(seed: int) -> Balls:

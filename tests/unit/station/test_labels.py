@@ -44,8 +44,35 @@ def test_a_row_that_cannot_be_is_left_out_with_its_line(tmp_path: Path, row: str
     read = read_labels(written(tmp_path, f"{HEADER}\nk1,1,2,3,a,\n{row}\n"))
     assert len(read.labels) == 1
     assert "line 3" in read.warnings[0]
-    with pytest.raises(InputError):
+    with pytest.raises(InputError) as caught:
         read_labels(written(tmp_path, f"{HEADER}\n{row}\n"))
+    assert (caught.value.where or "").startswith("line 2, column ")
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "value", "remedy"),
+    [
+        ("k1,nan,2,3,a,", "time_s", "'nan'", "Write a number"),
+        ("k1,1,2,-inf,a,", "v_px", "'-inf'", "Write a number"),
+        ("k1,1,2,3,a,much", "volume_ml", "'much'", "Write a number"),
+        ("k1,1,2,3,a,-4", "volume_ml", "-4", "Write what was measured"),
+        ("k1,1,2,3,a\x07,", "kind", "'a\\x07'", "printable letters"),
+    ],
+)
+def test_what_is_wrong_is_told_with_file_line_column_value_and_remedy(
+    tmp_path: Path, row: str, column: str, value: str, remedy: str
+) -> None:
+    path = written(tmp_path, f"{HEADER}\nk1,1,2,3,a,\n{row}\n")
+    (warning,) = read_labels(path).warnings
+    assert warning.startswith(f"{path}: line 3, column {column}: {value} is ")
+    assert remedy in warning
+    path = written(tmp_path, f"{HEADER}\n{row}\n")
+    with pytest.raises(InputError) as caught:
+        read_labels(path)
+    error = caught.value
+    assert (error.code, error.file, error.where) == ("bad_labels", str(path), f"line 2, column {column}")
+    assert value in error.what
+    assert remedy in error.remedy
 
 
 @pytest.mark.parametrize("text", ["", "sensor,time_s\n1,2\n", HEADER, "\0\0\0", '"' + "x" * 200_000])

@@ -76,6 +76,55 @@ def test_a_belt_that_went_elsewhere_is_looked_for_anew() -> None:
     assert abs(watched.now.warmup.drifted_m) < 0.001
 
 
+def _from_afar(frame: Frame, times: float = 1.2) -> Frame:
+    return replace(frame, depth_mm=np.where(frame.depth_mm > 0, frame.depth_mm * times, 0).astype(np.uint16))
+
+
+def _hung(watched: SensorSteadiness, times: float, from_s: float, minutes: float, drift: Drift) -> None:
+    """Let a sensor see the belt from so many times as far."""
+    for number in range(int(60 * minutes / LOOK_S)):
+        time_s = from_s + LOOK_S * number
+        watched.see(_from_afar(_frame(number + int(from_s), time_s, drift), times))
+
+
+def test_a_sensor_that_is_raised_for_long_and_put_back_is_as_warm_as_it_was() -> None:
+    watched = _watched(20, Drift())
+    before = watched.now.warmup
+    assert before.state is Warmth.STEADY
+    _hung(watched, 1.2, 1200.0, 4.0, Drift())
+    raised = watched.now.warmup
+    assert raised.state is Warmth.STEADY, "nobody has to wait because of a ladder"
+    assert raised.since_s > before.since_s + 60.0
+    _hung(watched, 1.2, 1440.0, 6.0, Drift())
+    assert watched.now.warmup.state is Warmth.STEADY, "seen from up there"
+    assert watched.now.warmup.since_s > raised.since_s
+    darker = Drift(light_from_s=0.0, light=(0.5, 0.5, 0.5))
+    _hung(watched, 1.0, 1800.0, 1.5, darker)
+    back = watched.now
+    assert back.warmup.state is Warmth.STEADY
+    assert back.warmup.since_s > raised.since_s
+    assert back.light is not None
+    assert back.light.brightness_off, "light is held to what it was at first from there"
+
+
+def test_a_sensor_that_still_warms_up_says_so_from_a_second_height_too() -> None:
+    drift = Drift(warming=0.008, warming_s=900.0)
+    watched = _watched(8, drift)
+    assert watched.now.warmup.state is Warmth.DRIFTING
+    _hung(watched, 1.2, 480.0, 4.0, drift)
+    assert watched.now.warmup.state is Warmth.DRIFTING
+    assert watched.now.warmup.since_s == 0.0
+
+
+def test_what_was_steady_and_drifts_at_another_height_is_not_called_steady() -> None:
+    watched = _watched(20, Drift())
+    for number in range(120):
+        time_s = 1200.0 + LOOK_S * number
+        creeping = 1.2 * (1.0 + 4e-6 * LOOK_S * number)
+        watched.see(_from_afar(_frame(5000 + number, time_s, Drift()), creeping))
+    assert watched.now.warmup.state is Warmth.DRIFTING
+
+
 def test_frames_without_depth_do_no_harm() -> None:
     watched = SensorSteadiness()
     frames, _ = _shown()

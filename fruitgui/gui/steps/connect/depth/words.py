@@ -39,7 +39,12 @@ def rules(stage: Stage) -> tuple[str, ...]:
             translate("Depth", "1.  Stop the belt and clear it."),
             translate(
                 "Depth",
-                "2.  Measure from the sensor's glass straight ahead to the belt, to the cross in the picture, and type "
+                "2.  If the sensor can only be lowered, lower it by 20 cm or more now: the second height is its own "
+                "place.",
+            ),
+            translate(
+                "Depth",
+                "3.  Measure from the sensor's glass straight ahead to the belt, to the cross in the picture, and type "
                 "it. Leave it at 0 if you have no tape.",
             ),
         ),
@@ -101,6 +106,9 @@ def _raised_text(sight: Sight, typed: Typed) -> Condition:
         return Condition("warn", text.format(length=mm(LEAST_RAISED_M)))
     if sight.on is None:
         return Condition("warn", translate("Depth", "The belt is not seen from there: let the sensor look at it."))
+    if sight.length_m < -OFF_SHARE * LEAST_RAISED_M:
+        text = translate("Depth", "The sensor hangs lower than at first: begin again from here, then raise it.")
+        return Condition("warn", text)
     if sight.length_m < OFF_SHARE * LEAST_RAISED_M:
         return Condition("warn", translate("Depth", "The sensor hangs where it was: raise it."))
     text = translate("Depth", "The belt is seen about {length} farther away.")
