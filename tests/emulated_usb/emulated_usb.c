@@ -74,6 +74,7 @@ typedef struct { int64_t t_ns; int kinect, reg, value; } log_entry;
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed;
+static int no_hubs; /* the system does not say what hangs on what */
 static kinect kinects[MOST_KINECTS];
 static int count, control_us, motor_order[MOST_KINECTS], open_handles, contexts, live_transfers;
 static log_entry log_[LOG_LENGTH];
@@ -182,6 +183,7 @@ void emulated_plug(int i, int on) {
 void emulated_motor_order(const int *order) { LOCKED(memcpy(motor_order, order, count * sizeof *order)); }
 void emulated_control_us(int us) { LOCKED(control_us = us); }
 void emulated_busy(int i, int on) { LOCKED(kinects[i].busy = on); }
+void emulated_no_hubs(int on) { LOCKED(no_hubs = on); }
 void emulated_denied(int i, int on) { LOCKED(kinects[i].denied = on); }
 void emulated_hang(int i, int what) { LOCKED(kinects[i].hang = what); }
 void emulated_stall(int i, int on) { LOCKED(kinects[i].stalled = on); }
@@ -357,7 +359,7 @@ ssize_t libusb_get_device_list(libusb_context *ctx, libusb_device ***list) {
     return n;
 }
 void libusb_free_device_list(libusb_device **list, int unref) { (void)unref; free(list); }
-libusb_device *libusb_get_parent(libusb_device *d) { return d->parent; }
+libusb_device *libusb_get_parent(libusb_device *d) { return no_hubs ? NULL : d->parent; }
 uint8_t libusb_get_bus_number(libusb_device *d) { return d->kinect->bus; }
 int libusb_get_device_descriptor(libusb_device *d, struct libusb_device_descriptor *into) {
     memset(into, 0, sizeof *into);
