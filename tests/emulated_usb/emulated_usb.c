@@ -56,6 +56,7 @@ struct libusb_device_handle {
 
 typedef struct kinect {
     int index, model, plugged, generation, bus, busy, denied, hang, stalled, no_bandwidth, kernel_driver;
+    int restarts, away; /* for so many looks its microphone is away after a reset, and is still */
     char serial[64], audio_serial[64];
     libusb_device_handle *owner; /* of the camera's interface */
     uint16_t registers[0x1000], cmos[0x200];
@@ -183,6 +184,7 @@ void emulated_plug(int i, int on) {
 void emulated_motor_order(const int *order) { LOCKED(memcpy(motor_order, order, count * sizeof *order)); }
 void emulated_control_us(int us) { LOCKED(control_us = us); }
 void emulated_busy(int i, int on) { LOCKED(kinects[i].busy = on); }
+void emulated_restarts(int i, int looks) { LOCKED(kinects[i].restarts = looks); }
 void emulated_no_hubs(int on) { LOCKED(no_hubs = on); }
 void emulated_denied(int i, int on) { LOCKED(kinects[i].denied = on); }
 void emulated_hang(int i, int what) { LOCKED(kinects[i].hang = what); }
@@ -349,7 +351,8 @@ ssize_t libusb_get_device_list(libusb_context *ctx, libusb_device ***list) {
     ssize_t n = 0;
     pthread_mutex_lock(&lock);
     for (int i = 0; i < count; i++)
-        for (int which = HUB; kinects[i].plugged && which <= AUDIO; which++) all[n++] = part(ctx, &kinects[i], which);
+        for (int which = HUB; kinects[i].plugged && which <= AUDIO; which++)
+            if (which != AUDIO || !kinects[i].away || kinects[i].away-- < 0) all[n++] = part(ctx, &kinects[i], which);
     for (int i = 0; i < count; i++) {
         kinect *k = &kinects[motor_order[i]];
         if (k->plugged && k->model == MODEL_1414) all[n++] = part(ctx, k, MOTOR_);
@@ -441,7 +444,11 @@ int libusb_set_interface_alt_setting(libusb_device_handle *h, int number, int se
 int libusb_kernel_driver_active(libusb_device_handle *h, int number) { (void)number; return is_camera(h->dev) && h->dev->kinect->kernel_driver; }
 int libusb_detach_kernel_driver(libusb_device_handle *h, int number) { (void)number; LOCKED(h->dev->kinect->kernel_driver = 0); return 0; }
 int libusb_attach_kernel_driver(libusb_device_handle *h, int number) { (void)h; (void)number; return 0; }
-int libusb_reset_device(libusb_device_handle *h) { return plugged(h->dev) ? 0 : LIBUSB_ERROR_NO_DEVICE; }
+int libusb_reset_device(libusb_device_handle *h) {
+    int result = plugged(h->dev) ? 0 : LIBUSB_ERROR_NO_DEVICE;
+    LOCKED(h->dev->kinect->away = h->dev->kinect->restarts);
+    return result;
+}
 
 static int camera_control(kinect *k, uint8_t type, unsigned char *data, uint16_t length) {
     if (type == 0x40) { command(k, data); return length; }

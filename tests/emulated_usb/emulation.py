@@ -137,6 +137,10 @@ class Emulation:
         """Let another program use the device."""
         self._usb.emulated_busy(number, int(on))
 
+    def restarts(self, number: int, looks: int) -> None:
+        """Let its microphone be away after each reset, for so many looks at what is plugged in."""
+        self._usb.emulated_restarts(number, looks)
+
     def no_hubs(self, on: bool) -> None:
         """Let the system not say which devices hang on one hub."""
         self._usb.emulated_no_hubs(int(on))

@@ -315,6 +315,16 @@ def test_why_a_serial_is_not_known_is_said(usb: Emulation, tmp_path: Path) -> No
 
 
 @inside
+def test_a_microphone_that_starts_anew_when_its_kinect_is_opened_is_waited_for(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2", MODEL_1473))
+    usb.restarts(1, 3)
+    sensors = sensors_of("B2")
+    push(usb, 1, 0)
+    assert not sensors[0].read(READ_S).damaged
+    let_go(sensors)
+
+
+@inside
 def test_without_hubs_a_part_is_a_camera_s_where_both_are_alone_on_their_bus(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
     usb.plug_in(Kinect("A1", bus=1), Kinect("B2", bus=2), Kinect("C3", bus=2), Kinect("D4", MODEL_K4W, bus=3))
     usb.no_hubs(on=True)
