@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from fruitgui.errors import FruitguiError
 from fruitgui.records.lot import Lot
 from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
 from fruitgui.records.totals import KindTotal
 from fruitgui.sensors.feed import Feed
-from fruitgui.station.live import LIVE, Intake, LiveLine
+from fruitgui.station.live import LIVE, Counting, Intake, LineApart
 from fruitgui.station.model import Model
 from fruitgui.station.noted import NotedSink
 from fruitgui.station.station import Station
@@ -49,7 +50,7 @@ class Begun:
     """
 
     feed: Feed
-    line: LiveLine
+    line: LineApart
     lot: Lot
     sink: NotedSink
     aside: SetAside | None
@@ -78,11 +79,15 @@ def begun(feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], so
     if aside is not None:
         sink.then = aside.keep
     teacher = None if aside is None else aside.take
-    line = LiveLine(feed, plan.station, model, BufferedSink(sink), None, plan.intake, teacher)
-    lot = begin()
-    totals = store.lots.totals(lot.key)
-    line.count_into(None if lot.paused else lot.key)
+    line = LineApart(feed, plan.station, model, Counting(BufferedSink(sink), teacher), None, plan.intake)
     line.start()
+    try:
+        lot = begin()
+        totals = store.lots.totals(lot.key)
+    except FruitguiError:
+        line.stop(0.0)
+        raise
+    line.count_into(None if lot.paused else lot.key)
     if plan.again is not None:
         feed.start()
     return Begun(feed, line, lot, sink, aside, () if model is None else tuple(model.kinds.kinds), totals)
