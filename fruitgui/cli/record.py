@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from fruitgui.cli.console import Console
 from fruitgui.cli.interrupts import ending_well
 from fruitgui.cli.options import Commands, add_json, check_output, finite, names
-from fruitgui.errors import CancelledByUserError, InputError
+from fruitgui.errors import CancelledByUserError, InputError, WorldError
 
 if TYPE_CHECKING:
     from fruitgui.sensors.sensor import Sensor
@@ -58,11 +58,15 @@ def run(options: argparse.Namespace, console: Console) -> int:
     seconds = None if options.seconds is None else _within("--seconds", options.seconds, 0.0, LONGEST_S)
     if options.simulated or options.still or options.seed is not None:
         return _simulated(options, seconds, console)
-    from fruitgui.station.devices import connected_devices, known_by_station, known_by_workspace, only
+    from fruitgui.station.devices import connected_devices, known_by_station, known_by_workspace, only, unusable_devices
 
     known = known_by_workspace() if options.station is None else known_by_station(options.station)
     console.warn(known.trouble)
-    found = connected_devices(known.names)
+    found, unusable = connected_devices(known.names), unusable_devices()
+    if unusable and not found:
+        model, why = unusable[0]
+        raise WorldError("no_usable_sensor", f"A {model} is plugged in and cannot be used. {why.what}", why.remedy)
+    console.warn(f"A {model} is left out. {why.what} {why.remedy}" for model, why in unusable)
     if not found:
         console.warn(["No sensor is connected: this records the simulated rig. See fruitgui record --help."])
         return _simulated(options, seconds, console)

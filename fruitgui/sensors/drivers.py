@@ -23,6 +23,7 @@ class PluggedDevice:
         firmware: as the device says; empty where it does not.
         limits: what this model cannot do, a sentence each.
         bus, address: of the USB device; None where the driver cannot tell.
+        hindrance: why it cannot be opened, the code of a problem of `sensors.usb.problems`; empty where it can.
         port_path: the ports from the bus on to it, for example `(1, 4)`; empty where the driver cannot tell.
     """
 
@@ -34,6 +35,7 @@ class PluggedDevice:
     bus: int | None = None
     address: int | None = None
     port_path: tuple[int, ...] = ()
+    hindrance: str = ""
 
 
 class Driver(Protocol):

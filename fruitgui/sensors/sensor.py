@@ -64,15 +64,21 @@ class SensorInfo:
 
 
 class SensorTimeoutError(WorldError):
-    """No frame came within the time allowed."""
+    """No frame came within the time allowed.
 
-    def __init__(self, sensor: str, timeout_s: float) -> None:
+    Attributes:
+        heard_s: when anything last came of the device, by the host's monotonic clock, where its driver can tell: of one
+            whose projector is dark, colour still comes.
+    """
+
+    def __init__(self, sensor: str, timeout_s: float, heard_s: float | None = None) -> None:
         super().__init__(
             "sensor_silent",
             f"Sensor {sensor} gave no frame within {timeout_s:g} s.",
             "Check its cable and power; it is opened again by itself when it returns.",
             values={"sensor": sensor},
         )
+        self.heard_s = heard_s
 
 
 class EndOfStreamError(WorldError):

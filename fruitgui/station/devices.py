@@ -9,12 +9,15 @@ from pathlib import Path
 from typing import TypeVar
 
 from fruitgui.errors import InputError
+from fruitgui.sensors.drivers import Driver, known_drivers
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.sensor import Sensor
 from fruitgui.sensors.turns import Schedule
+from fruitgui.sensors.usb.problems import Problem, problem
+from fruitgui.station.checkup.asking import all_devices
 from fruitgui.station.connection import Connection
 from fruitgui.station.projectors import Projectors
-from fruitgui.station.sources import DEVICES, Make
+from fruitgui.station.sources import devices_of
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import read_station
 from fruitgui.station.turn_plan import overlapping, rig_of, schedule_of
@@ -24,15 +27,26 @@ from fruitgui.station.written import read_written
 T = TypeVar("T")
 
 
-def connected_devices(names: Mapping[str, str], make: Make = DEVICES) -> list[Sensor]:
+Drivers = Callable[[], Sequence[Driver]]
+
+
+def connected_devices(names: Mapping[str, str], drivers: Drivers = known_drivers) -> list[Sensor]:
     """Return a sensor for everything that is plugged in, closed.
 
     Args:
         names: by serial; a device that is not among them keeps the name that its driver gives, unless it is taken.
-        make: finds them.
+        drivers: that are asked.
     """
-    found = [sensor for source in make.find() for sensor in source.connect().sensors]
+    for driver in drivers():
+        all_devices(driver)  # one whose bus is slow has nothing to say at first
+    found = [sensor for source in devices_of(drivers).find() for sensor in source.connect().sensors]
     return named_by_serial(found, names)
+
+
+def unusable_devices(drivers: Drivers = known_drivers) -> list[tuple[str, Problem]]:
+    """Return what is plugged in and cannot be opened: its model, and why."""
+    devices = [device for driver in drivers() for device in all_devices(driver)]
+    return [(one.model, problem(one.hindrance or "closed")) for one in devices if not one.serial]
 
 
 def named_by_serial(found: Sequence[Sensor], names: Mapping[str, str]) -> list[Sensor]:

@@ -56,6 +56,7 @@ struct libusb_device_handle {
 
 typedef struct kinect {
     int index, model, plugged, generation, bus, busy, denied, hang, stalled, no_bandwidth, kernel_driver;
+    int restarts, away; /* for so many looks its microphone is away after a reset, and is still */
     char serial[64], audio_serial[64];
     libusb_device_handle *owner; /* of the camera's interface */
     uint16_t registers[0x1000], cmos[0x200];
@@ -74,6 +75,7 @@ typedef struct { int64_t t_ns; int kinect, reg, value; } log_entry;
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed;
+static int no_hubs; /* the system does not say what hangs on what */
 static kinect kinects[MOST_KINECTS];
 static int count, control_us, motor_order[MOST_KINECTS], open_handles, contexts, live_transfers;
 static log_entry log_[LOG_LENGTH];
@@ -182,6 +184,8 @@ void emulated_plug(int i, int on) {
 void emulated_motor_order(const int *order) { LOCKED(memcpy(motor_order, order, count * sizeof *order)); }
 void emulated_control_us(int us) { LOCKED(control_us = us); }
 void emulated_busy(int i, int on) { LOCKED(kinects[i].busy = on); }
+void emulated_restarts(int i, int looks) { LOCKED(kinects[i].restarts = looks); }
+void emulated_no_hubs(int on) { LOCKED(no_hubs = on); }
 void emulated_denied(int i, int on) { LOCKED(kinects[i].denied = on); }
 void emulated_hang(int i, int what) { LOCKED(kinects[i].hang = what); }
 void emulated_stall(int i, int on) { LOCKED(kinects[i].stalled = on); }
@@ -347,7 +351,8 @@ ssize_t libusb_get_device_list(libusb_context *ctx, libusb_device ***list) {
     ssize_t n = 0;
     pthread_mutex_lock(&lock);
     for (int i = 0; i < count; i++)
-        for (int which = HUB; kinects[i].plugged && which <= AUDIO; which++) all[n++] = part(ctx, &kinects[i], which);
+        for (int which = HUB; kinects[i].plugged && which <= AUDIO; which++)
+            if (which != AUDIO || !kinects[i].away || kinects[i].away-- < 0) all[n++] = part(ctx, &kinects[i], which);
     for (int i = 0; i < count; i++) {
         kinect *k = &kinects[motor_order[i]];
         if (k->plugged && k->model == MODEL_1414) all[n++] = part(ctx, k, MOTOR_);
@@ -357,7 +362,7 @@ ssize_t libusb_get_device_list(libusb_context *ctx, libusb_device ***list) {
     return n;
 }
 void libusb_free_device_list(libusb_device **list, int unref) { (void)unref; free(list); }
-libusb_device *libusb_get_parent(libusb_device *d) { return d->parent; }
+libusb_device *libusb_get_parent(libusb_device *d) { return no_hubs ? NULL : d->parent; }
 uint8_t libusb_get_bus_number(libusb_device *d) { return d->kinect->bus; }
 int libusb_get_device_descriptor(libusb_device *d, struct libusb_device_descriptor *into) {
     memset(into, 0, sizeof *into);
@@ -439,7 +444,11 @@ int libusb_set_interface_alt_setting(libusb_device_handle *h, int number, int se
 int libusb_kernel_driver_active(libusb_device_handle *h, int number) { (void)number; return is_camera(h->dev) && h->dev->kinect->kernel_driver; }
 int libusb_detach_kernel_driver(libusb_device_handle *h, int number) { (void)number; LOCKED(h->dev->kinect->kernel_driver = 0); return 0; }
 int libusb_attach_kernel_driver(libusb_device_handle *h, int number) { (void)h; (void)number; return 0; }
-int libusb_reset_device(libusb_device_handle *h) { return plugged(h->dev) ? 0 : LIBUSB_ERROR_NO_DEVICE; }
+int libusb_reset_device(libusb_device_handle *h) {
+    int result = plugged(h->dev) ? 0 : LIBUSB_ERROR_NO_DEVICE;
+    LOCKED(h->dev->kinect->away = h->dev->kinect->restarts);
+    return result;
+}
 
 static int camera_control(kinect *k, uint8_t type, unsigned char *data, uint16_t length) {
     if (type == 0x40) { command(k, data); return length; }

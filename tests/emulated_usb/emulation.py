@@ -86,6 +86,7 @@ class Emulation:
         """Let these be plugged in, and no others; they are numbered from 0."""
         self.kinects = kinects
         self._usb.emulated_reset(len(kinects))
+        self.no_hubs(on=False)
         for number, one in enumerate(kinects):
             camera = one.serial if one.model == MODEL_1414 else NO_SERIAL
             self._usb.emulated_serial(number, camera.encode(), one.serial.encode())
@@ -135,6 +136,14 @@ class Emulation:
     def busy(self, number: int, on: bool) -> None:
         """Let another program use the device."""
         self._usb.emulated_busy(number, int(on))
+
+    def restarts(self, number: int, looks: int) -> None:
+        """Let its microphone be away after each reset, for so many looks at what is plugged in."""
+        self._usb.emulated_restarts(number, looks)
+
+    def no_hubs(self, on: bool) -> None:
+        """Let the system not say which devices hang on one hub."""
+        self._usb.emulated_no_hubs(int(on))
 
     def denied(self, number: int, on: bool) -> None:
         """Let nobody open the device."""

@@ -65,6 +65,7 @@ class Reader:
         self._nominal_hz = info.rate_hz
         self._pulse = Pulse()
         self._patience = Patience()
+        self._heard_s: float | None = None
         self._newest: Frame | None = None
         self._state = Running.STOPPED
         self._error: FruitguiError | None = None
@@ -109,12 +110,15 @@ class Reader:
         state = self._state
         if state is Running.RUNNING and self._patience.owed_s(now_s) > silent_after_s(self._nominal_hz):
             state = Running.SILENT
+        error = self._error
+        if state is Running.RUNNING and self._is_mute(now_s):
+            state, error = Running.SILENT, SensorTimeoutError(self.name, silent_after_s(self._nominal_hz))
         schedule = self._keeper.schedule
         turns = self._takes_turns and schedule.alternates(self.name)
         return SensorHealth(
             sensor=self.name,
             state=state,
-            error=self._error,
+            error=error,
             rate_hz=self._pulse.rate_hz(now_s, schedule.cycle_s if turns else 0.0),
             nominal_hz=schedule.rate_hz(self.name, self._nominal_hz) if turns else self._nominal_hz,
             frames=self._pulse.frames,
@@ -191,8 +195,10 @@ class Reader:
         """Read one frame and hand it on, if it is of use; return whether one came."""
         try:
             frame = self._sensor.read(READ_S)
-        except SensorTimeoutError:
+        except SensorTimeoutError as silence:
+            self._heard_s = silence.heard_s
             return False
+        self._heard_s = None
         now_s, lit = time.monotonic(), self._seat.light()
         self._patience.hear(now_s, of_use=not frame.damaged)  # one in light that settles is what is to come then
         self._patience.rest(now_s)  # whoever makes this thread wait for room has the sensor owe nothing
@@ -210,9 +216,18 @@ class Reader:
         return True
 
     def _listen(self) -> None:
-        """Let go of whatever a sensor still gives in the dark, and hear it fail, should it die there."""
-        with contextlib.suppress(SensorTimeoutError):
+        """Let go of whatever a sensor still gives in the dark, and hear it fail or fall silent, should it die there."""
+        try:
             self._sensor.read(0.0)
+        except SensorTimeoutError as silence:
+            self._heard_s = silence.heard_s
+            if self._is_mute(time.monotonic()):
+                self._ears.absent(self.name)
+
+    def _is_mute(self, now_s: float) -> bool:
+        """Tell whether nothing at all comes of a sensor that waits for frames: in the dark, colour should."""
+        heard_s = self._heard_s
+        return heard_s is not None and now_s - heard_s > silent_after_s(self._nominal_hz)
 
     def _judge_silence(self, heard: bool) -> None:
         owed_s, silent_s = self._patience.owed_s(time.monotonic()), silent_after_s(self._nominal_hz)
@@ -233,6 +248,7 @@ class Reader:
             with contextlib.suppress(Exception):
                 leave()
         self._patience.forget()
+        self._heard_s = None
 
 
 def _driver_error(sensor: str, error: Exception) -> WorldError:

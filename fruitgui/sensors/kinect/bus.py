@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from enum import Enum, auto
 from types import TracebackType
 from typing import Self
 
@@ -16,16 +17,25 @@ from fruitgui.sensors.kinect.models import Model, camera_model, is_microphone, i
 _STRING = 256
 
 
+class Unknown(Enum):
+    """Why a serial is not known: the device may not be opened, does not answer, or has none."""
+
+    CLOSED = auto()
+    MUTE = auto()
+    NONE = auto()
+
+
 @dataclass(frozen=True, slots=True)
 class Camera:
     """A Kinect's camera that is plugged in.
 
     Attributes:
         index: as libfreenect counts cameras.
-        serial: the camera's, or else its microphone's; empty where it may not be asked.
+        serial: the camera's, or else its microphone's; empty where it is not known.
         model: which Kinect.
         bus: number of the USB bus.
         release: of the device's firmware, as it says.
+        unknown: why its serial is not known; None where it is.
     """
 
     index: int
@@ -33,6 +43,7 @@ class Camera:
     model: Model
     bus: int
     release: int
+    unknown: Unknown | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,11 +108,9 @@ class Bus:
         """
         with self._listed() as devices:
             cameras = [one for one in devices if camera_model(one.vendor, one.product, one.release) is not None]
-            mine = [one for one in cameras if self._serial_of(one, devices) == serial]
-            motors = [
-                one for one in devices if is_motor(one.vendor, one.product) and mine and _on_one_hub(one, mine[0])
-            ]
-            handle = self._open(motors[0]) if len(mine) == len(motors) == 1 else None
+            mine = [one for one in cameras if self._serial_of(one, devices)[0] == serial]
+            motor = _part_of(mine[0], devices, is_motor) if len(mine) == 1 else None
+            handle = None if motor is None else self._open(motor)
             if handle is not None and self._usb.claim_interface(handle, 0) < 0:
                 self._usb.close(handle)
                 return None
@@ -123,29 +132,34 @@ class Bus:
         for device in devices:
             model = camera_model(device.vendor, device.product, device.release)
             if model is not None:
-                yield Camera(index, self._serial_of(device, devices), model, device.bus, device.release)
+                serial, unknown = self._serial_of(device, devices)
+                yield Camera(index, serial, model, device.bus, device.release, unknown)
                 index += 1
 
-    def _serial_of(self, camera: _Listed, devices: list[_Listed]) -> str:
-        serial = self._string(camera)
-        if not serial or serial.strip("0"):
-            return serial
-        ears = [one for one in devices if is_microphone(one.vendor, one.product) and _on_one_hub(one, camera)]
-        return (self._string(ears[0]) if len(ears) == 1 else "") or serial
+    def _serial_of(self, camera: _Listed, devices: list[_Listed]) -> tuple[str, Unknown | None]:
+        """Return a camera's serial, and why it is not known where it is empty."""
+        serial, unknown = self._string(camera)
+        if serial.strip("0") or unknown in (Unknown.CLOSED, Unknown.MUTE):
+            return serial, unknown
+        ear = _part_of(camera, devices, is_microphone)
+        heard, deaf = ("", Unknown.NONE) if ear is None else self._string(ear)
+        return (serial, unknown) if deaf is Unknown.NONE else (heard, deaf)
 
     def _open(self, device: _Listed) -> ctypes.c_void_p | None:
         handle = ctypes.c_void_p()
         return handle if self._usb.open(device.address, ctypes.byref(handle)) == 0 else None
 
-    def _string(self, device: _Listed) -> str:
-        """Return a device's serial; empty where it has none, may not be opened, or does not answer."""
-        handle = self._open(device) if device.serial_index else None
+    def _string(self, device: _Listed) -> tuple[str, Unknown | None]:
+        """Return a device's own serial, and why it is not known where it is empty."""
+        handle = self._open(device)
         if handle is None:
-            return ""
+            return "", Unknown.CLOSED
         buffer = ctypes.create_string_buffer(_STRING)
-        got = self._usb.get_string_descriptor_ascii(handle, device.serial_index, buffer, _STRING)
+        index = device.serial_index
+        got = self._usb.get_string_descriptor_ascii(handle, index, buffer, _STRING) if index else 0
         self._usb.close(handle)
-        return buffer.raw[:got].decode("ascii", "replace").strip("\0 ") if got > 0 else ""
+        serial = buffer.raw[: max(got, 0)].decode("ascii", "replace").strip("\0 ")
+        return serial, None if serial else Unknown.MUTE if got < 0 else Unknown.NONE
 
     @contextmanager
     def _listed(self) -> Iterator[list[_Listed]]:
@@ -166,8 +180,15 @@ class Bus:
         return _Listed(address, parent, says.vendor, says.product, says.device, says.serial, bus)
 
 
-def _on_one_hub(one: _Listed, other: _Listed) -> bool:
-    return one.parent is not None and one.parent == other.parent and one.bus == other.bus
+def _part_of(camera: _Listed, devices: list[_Listed], is_part: Callable[[int, int], bool]) -> _Listed | None:
+    """Return the part that certainly is this camera's: both are the only ones of their kind on one hub.
+
+    Where hubs are not told, or are not the Kinects' own, as in a virtual machine, all of a bus hang together.
+    """
+    beside = [one for one in devices if (one.bus, one.parent) == (camera.bus, camera.parent)]
+    cameras = [one for one in beside if camera_model(one.vendor, one.product, one.release) is not None]
+    parts = [one for one in beside if is_part(one.vendor, one.product)]
+    return parts[0] if len(cameras) == len(parts) == 1 else None
 
 
 def told_apart(cameras: list[Camera]) -> list[Camera]:

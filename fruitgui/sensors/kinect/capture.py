@@ -47,10 +47,17 @@ class Captures:
         self._sequence = -1
         self._last: DepthPicture | None = None
         self._failure: FruitguiError | None = None
+        self._heard_s: float | None = None
+
+    @property
+    def heard_s(self) -> float | None:
+        """When the newest picture came, of either stream, by the host's monotonic clock; None before the first."""
+        return self._heard_s
 
     def hear(self, stream: Stream, picture: Picture) -> None:
         """Take in a picture."""
         ticks = self._ticks.count(picture.stamp, picture.arrived_s)
+        self._heard_s = time.monotonic()
         with self._changed:
             if stream is Stream.DEPTH:
                 depth = DepthPicture(ticks, picture.arrived_s, picture.pixels, picture.whole)  # type: ignore[arg-type]

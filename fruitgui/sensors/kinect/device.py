@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import itertools
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,6 +21,8 @@ from fruitgui.sensors.kinect.faults import not_obeyed, not_opened, not_there, us
 from fruitgui.sensors.kinect.packets import PacketLog, Stream
 
 _TRIES = 3
+_ANEW_S, _LOOK_S = 3.0, 0.1
+"""How long a part that was reset may take to be there again, and how often one looks."""
 _FAILURES = 100
 """The library fails to handle events now and then, as when a signal comes; so often in a row it is broken."""
 
@@ -203,11 +206,26 @@ class Device:
             self._log.forget()
             if self._freenect.open_device(self._context, ctypes.byref(self._device), mine.index) < 0:
                 raise not_opened(self._serial, self._log.errors)
-            if [one.serial for one in self._bus.cameras()] == [one.serial for one in before]:
+            if self._have_their_places([one.serial for one in before]):
                 return mine
             self._freenect.close_device(self._device)
             self._device = ctypes.c_void_p()
         raise not_opened(self._serial, ("devices came and went",))
+
+    def _have_their_places(self, serials: list[str]) -> bool:
+        """Tell whether every camera has its place still.
+
+        Opening some models resets their microphone: where it starts anew, it is waited for, to know the serial by it.
+        """
+        until_s = time.monotonic() + _ANEW_S
+        while True:
+            now = [one.serial for one in self._bus.cameras()]
+            if now == serials:
+                return True
+            places = itertools.zip_longest(now, serials, fillvalue="none")
+            if any(one.strip("0") and one != other for one, other in places) or time.monotonic() > until_s:
+                return False
+            time.sleep(_LOOK_S)
 
     def _read_factory(self) -> Factory:
         if not hasattr(self._freenect, "copy_registration"):

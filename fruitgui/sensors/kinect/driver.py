@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from fruitgui.errors import FruitguiError, WorldError
 from fruitgui.sensors.drivers import PluggedDevice
 from fruitgui.sensors.kinect import library
-from fruitgui.sensors.kinect.bus import Bus, Camera, told_apart
+from fruitgui.sensors.kinect.bus import Bus, Camera, Unknown, told_apart
 from fruitgui.sensors.kinect.device import Device, Hear
 from fruitgui.sensors.kinect.motor import Motor
 from fruitgui.sensors.kinect.sensor import KinectSensor
@@ -22,6 +22,13 @@ _LOOK_S = 0.5
 
 _NOT_ALLOWED = "This user may not open it: install the USB rules (fruitgui sensors --install-udev-rules)."
 _NOT_TOLD_APART = "It cannot be told apart from another one that has the same serial: plug in only one of them."
+_HINDRANCES = {
+    Unknown.CLOSED: ("closed", _NOT_ALLOWED),
+    Unknown.MUTE: ("hangs", "It does not answer: unplug its USB cable and its power supply, and plug both in again."),
+    Unknown.NONE: ("no_serial", "It cannot be told apart from another one: it has no serial."),
+    None: ("no_serial", _NOT_TOLD_APART),
+}
+"""Why a Kinect cannot be opened: a problem's code, and a sentence."""
 
 
 class KinectDriver:
@@ -86,7 +93,8 @@ class KinectDriver:
 
 
 def _plugged(camera: Camera, known: bool) -> PluggedDevice:
-    hindrance = () if known else (_NOT_TOLD_APART if camera.serial else _NOT_ALLOWED,)
+    code, sentence = ("", "") if known else _HINDRANCES[camera.unknown]
     firmware = f"{camera.release >> 8:x}.{camera.release & 0xFF:02x}"
     serial = camera.serial if known else ""
-    return PluggedDevice(MAKE, camera.model.name, serial, firmware, (*camera.model.limits, *hindrance), camera.bus)
+    limits = (*camera.model.limits, sentence) if sentence else camera.model.limits
+    return PluggedDevice(MAKE, camera.model.name, serial, firmware, limits, camera.bus, hindrance=code)

@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fruitgui.errors import WorldError
-from fruitgui.sensors.kinect.bus import Camera
+from fruitgui.sensors.kinect.bus import Camera, Unknown
 
 _ACCESS, _BUSY, _GONE = ("ACCESS", ": -3"), ("BUSY", ": -6"), ("NO_DEVICE", ": -4")
+_AWAY = ("transfer failed (-4)", "returned -4")
+"""What the library says of an order to a device that was unplugged meanwhile."""
 
 
 def not_there(serial: str, cameras: Sequence[Camera]) -> WorldError:
     """No Kinect of this serial can be opened."""
-    if any(not one.serial for one in cameras):
+    if any(one.unknown is Unknown.CLOSED for one in cameras):
         return not_allowed(serial)
+    if any(one.unknown is Unknown.MUTE for one in cameras):
+        return mute(serial)
     if sum(one.serial == serial for one in cameras) > 1:
         return WorldError(
             "sensor_twice",
@@ -36,6 +40,15 @@ def not_allowed(serial: str) -> WorldError:
     )
 
 
+def mute(serial: str) -> WorldError:
+    """A Kinect is there but does not say which."""
+    return WorldError(
+        "sensor_hangs",
+        f"A Kinect is plugged in that does not answer, so {serial} was not found.",
+        "Unplug its USB cable and its power supply, wait five seconds, and plug both in again.",
+    )
+
+
 def not_opened(serial: str, errors: Sequence[str]) -> WorldError:
     """The library could not open a Kinect that is there."""
     last = "; ".join(errors)
@@ -54,7 +67,9 @@ def not_opened(serial: str, errors: Sequence[str]) -> WorldError:
 
 def not_obeyed(serial: str, errors: Sequence[str]) -> WorldError:
     """A Kinect answers wrongly or not at all."""
-    says = f" ({errors[-1][:120]})" if errors else ""
+    if any(word in one for one in errors for word in _AWAY):
+        return not_there(serial, ())
+    says = f" ({errors[0][:120]})" if errors else ""
     return WorldError(
         "sensor_not_obeyed",
         f"The Kinect {serial} does not do what it is told{says}.",

@@ -114,7 +114,7 @@ class KinectSensor:
             raise _not_open(self._serial)
         capture = self._captures.next(timeout_s)
         if capture is None:
-            raise SensorTimeoutError(self._name, timeout_s)
+            raise SensorTimeoutError(self._name, timeout_s, self._captures.heard_s)
         pair = capture.pair
         self._feel()
         depth_mm = self._registration.apply(millimetres(pair.depth.raw, self._table))

@@ -76,11 +76,12 @@ def _answer(driver: Driver) -> Answer:
     error = driver.problem()
     if error is not None:
         return Answer(driver.make, unusable=problem_of(error))
-    devices = _all_devices(driver)
+    devices = all_devices(driver)
     return Answer(driver.make, tuple((device, driver.sensor(device.serial)) for device in devices))
 
 
-def _all_devices(driver: Driver) -> Sequence[PluggedDevice]:
+def all_devices(driver: Driver) -> Sequence[PluggedDevice]:
+    """Return what is plugged in; where the bus is slow, as with a device that does not answer, after some seconds."""
     until_s = time.monotonic() + PATIENCE_S
     while True:
         asked_s = time.monotonic()

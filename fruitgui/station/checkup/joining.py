@@ -21,6 +21,7 @@ BLOCKING = {
     "not_found": SensorState.FAILED,
     "closed": SensorState.FAILED,
     "no_serial": SensorState.FAILED,
+    "hangs": SensorState.HANGS,
     "busy": SensorState.BUSY,
 }
 """The state that a problem puts a sensor into while nothing was measured, the gravest first."""
@@ -102,7 +103,7 @@ def _listed(
 ) -> CheckedSensor:
     problems = () if seen is None else seen.problems
     if (device.make, device.serial) in twins and not any(one.code in BLOCKING for one in problems):
-        problems = (*problems, problem("no_serial" if device.serial else "closed"))
+        problems = (*problems, problem(device.hindrance or ("no_serial" if device.serial else "closed")))
     place = _place(seen, view) if seen is not None else _told_place(device, view)
     return CheckedSensor(
         name, device.make, device.model, device.serial, _state(problems), problems, device.limits, device.firmware,

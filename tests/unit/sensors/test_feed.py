@@ -14,7 +14,7 @@ import pytest
 from fruitgui.frame import Frame
 from fruitgui.sensors.feed import ByCapture, DropOldest, Feed, Running, WaitForRoom
 from fruitgui.sensors.feed.patience import Patience
-from fruitgui.sensors.sensor import Sensor
+from fruitgui.sensors.sensor import Sensor, SensorTimeoutError
 from tests.unit.sensors.scripted import Hang, ScriptedSensor, gone, small_frame, until
 
 pytestmark = pytest.mark.usefixtures("no_leaked_threads")
@@ -161,6 +161,33 @@ def test_a_reader_that_waits_for_room_does_not_hold_the_stop() -> None:
         queue = feed.subscribe(WaitForRoom(1))
         left.give(small_frame("left", 0), small_frame("left", 1))
         until(lambda: queue.waiting == 1)
+
+
+class ToldSensor(ScriptedSensor):
+    """Tells, as often as no frame comes, when anything last came."""
+
+    heard_s: float | None = None
+
+    def read(self, timeout_s: float) -> Frame:
+        try:
+            return super().read(timeout_s)
+        except SensorTimeoutError:
+            raise SensorTimeoutError("told", timeout_s, self.heard_s) from None
+
+
+def test_a_sensor_of_which_nothing_at_all_comes_is_silent_before_it_owes_a_frame() -> None:
+    told = ToldSensor("told", rate_hz=0.01)  # it owes a frame after minutes only
+    with running(told) as feed:
+        told.give(small_frame("told", 0))
+        until(lambda: feed.health("told").state is Running.RUNNING)
+        told.heard_s = time.monotonic() - 1000.0
+        until(lambda: feed.health("told").state is Running.SILENT)
+        error = feed.health("told").error
+        assert error is not None
+        assert error.code == "sensor_silent"
+        told.heard_s = time.monotonic() + 1000.0
+        until(lambda: feed.health("told").state is Running.RUNNING)
+        assert feed.health("told").error is None
 
 
 def test_a_sensor_that_is_made_to_wait_is_not_silent() -> None:

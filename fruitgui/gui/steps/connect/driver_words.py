@@ -81,6 +81,7 @@ def _limits() -> Mapping[str, str]:
             "On a USB 2 port it gives fewer and smaller pictures: plug it into a USB 3 port with a USB 3 cable.",
         ),
         "This user may not open it": translate("Driver", "The system does not let you use it."),
+        "It does not answer": translate("Driver", "It does not answer."),
         "It cannot be told apart": translate(
             "Driver", "It cannot be told apart from another one that has the same serial: plug in only one of them."
         ),

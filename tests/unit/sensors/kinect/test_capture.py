@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 
 from fruitgui.sensors.kinect.capture import Captures
@@ -30,6 +32,15 @@ def test_a_leap_of_the_clock_is_told_by_whatever_is_read_after_it() -> None:
     hear(captures, range(34, 64), 3.0)
     again = captures.next(0.0)
     assert [one and one.clock_leaps for one in (first, after, again)] == [0, 1, 2]
+
+
+def test_colour_alone_is_heard_too() -> None:
+    captures = Captures()
+    assert captures.heard_s is None
+    began_s = time.monotonic()
+    captures.hear(Stream.VIDEO, Picture(0, 100.0, COLOR, whole=True))
+    assert captures.heard_s is not None
+    assert began_s <= captures.heard_s <= time.monotonic()
 
 
 def test_pictures_that_were_lost_leave_a_gap_and_a_clock_that_leapt_leaves_none() -> None:

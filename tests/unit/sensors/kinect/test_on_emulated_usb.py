@@ -36,6 +36,7 @@ from tests.emulated_usb.emulation import (
 )
 from tests.emulated_usb.factory_made import registration_bytes
 from tests.emulated_usb.outside import inside
+from tests.unit.sensors.scripted import until
 
 READ_S = 20.0
 
@@ -297,6 +298,39 @@ def test_a_serial_finds_its_camera_whatever_may_not_be_opened(usb: Emulation, tm
     devices = KinectDriver().devices()
     assert [one.serial for one in devices] == ["", "B2", "C3"]
     assert "--install-udev-rules" in devices[0].limits[0]
+
+
+@inside
+def test_why_a_serial_is_not_known_is_said(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect(""), Kinect("C3"), Kinect("D4"), Kinect("D4"))
+    usb.hang(2, Hang.CONTROL)
+    usb.denied(0, on=True)
+    driver = KinectDriver()
+    until(lambda: len(driver.devices()) == 5)
+    devices = driver.devices()
+    assert [one.hindrance for one in devices] == ["closed", "no_serial", "hangs", "no_serial", "no_serial"]
+    assert "does not answer" in devices[2].limits[-1]
+    usb.denied(0, on=False)
+    assert _code(driver.sensor("C3")) == "sensor_hangs"
+
+
+@inside
+def test_a_microphone_that_starts_anew_when_its_kinect_is_opened_is_waited_for(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2", MODEL_1473))
+    usb.restarts(1, 3)
+    sensors = sensors_of("B2")
+    push(usb, 1, 0)
+    assert not sensors[0].read(READ_S).damaged
+    let_go(sensors)
+
+
+@inside
+def test_without_hubs_a_part_is_a_camera_s_where_both_are_alone_on_their_bus(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1", bus=1), Kinect("B2", bus=2), Kinect("C3", bus=2), Kinect("D4", MODEL_K4W, bus=3))
+    usb.no_hubs(on=True)
+    sensors = sensors_of("A1", "B2", "D4")
+    assert [usb.led(number) for number in range(3)] == [Led.GREEN, 0, 0]
+    let_go(sensors)
 
 
 @inside
