@@ -202,7 +202,7 @@ def test_figures_are_those_of_the_store(store: Store, clock: Clock) -> None:
 def test_a_lot_is_listed_with_its_sums(store: Store, clock: Clock) -> None:
     lot = run(store, clock, "1184", "Riquelme", 8)
     (line,) = store.lots.find(LotQuery()).lots
-    entry = lot_entry(line, None)
+    entry = lot_entry(line, None, line.lot.started_s)
     assert (entry.key, entry.name, entry.who, entry.fruit, entry.state) == (
         lot,
         "1184",
@@ -352,7 +352,7 @@ def test_names_of_files_can_be_kept_anywhere(name: str, file: str) -> None:
 def test_a_plan_without_words_is_listed_all_the_same(store: Store) -> None:
     store.lots.start(LotPlan("x"))
     (line,) = store.lots.find(LotQuery()).lots
-    assert lot_entry(line, None).who == ""
+    assert lot_entry(line, None, 0.0).who == ""
 
 
 @pytest.mark.parametrize(
