@@ -12,6 +12,8 @@ from fruitgui.gui.steps.connect.thumbnails import Thumbnails
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
+from fruitgui.gui.widgets.fitting import fitted
+from fruitgui.gui.widgets.focus import paint_focus
 
 INSET = 1.5 * GRID
 WORDS = 7 * GRID
@@ -138,10 +140,11 @@ class SensorTile(QAbstractButton):
         edge = QRectF(self.rect()).adjusted(1, 1, -1, -1)
         lit = self._flashes % 2 == 1
         painter.setBrush(theme.colour("accent" if lit else "surface"))
-        chosen = self.isChecked() or self.hasFocus()
-        width = 2.0 if self.isChecked() else 1.0
-        painter.setPen(QPen(theme.colour("accent" if chosen else "line"), 3.0 if self.hasFocus() else width))
+        chosen = self.isChecked()
+        painter.setPen(QPen(theme.colour("accent" if chosen else "edge"), 2.0 if chosen else 1.0))
         painter.drawRoundedRect(edge, RADIUS, RADIUS)
+        if self.hasFocus():
+            paint_focus(painter, edge, RADIUS, theme)
 
     def _paint_words(self, painter: QPainter, view: SensorView) -> None:
         theme, left, width = self._theme, INSET, self.width() - 2 * INSET
@@ -153,7 +156,7 @@ class SensorTile(QAbstractButton):
             line.setRight(self._paint_badge(painter, line, room, lit) - GRID)
         painter.setPen(theme.colour("on_accent" if lit else "text"))
         painter.setFont(strong)
-        name = QFontMetricsF(strong).elidedText(text, Qt.TextElideMode.ElideRight, line.width())
+        name = fitted(painter, text, line.width())
         painter.drawText(line, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, name)
         self._paint_condition(painter, view, QRectF(left, line.bottom() + 2, width, 3 * GRID), lit)
 

@@ -28,6 +28,7 @@ from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label
+from fruitgui.gui.widgets.focus import FocusRing
 from fruitgui.gui.widgets.kind_mark import mark_pixmap
 from fruitgui.records.fruit_record import FruitRecord
 
@@ -125,6 +126,7 @@ class FruitTable(QWidget):
         view = self.view
         view.setModel(self.model)
         view.setItemDelegate(self._delegate)
+        FocusRing(view)
         view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         view.setShowGrid(False)
         view.setTabKeyNavigation(False)

@@ -28,6 +28,8 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.widgets.cards import Card, EmptyPlace, label
+from fruitgui.gui.widgets.fitting import fitted
+from fruitgui.gui.widgets.focus import FocusRing
 
 ROW = 84
 TYPED_MS = 200
@@ -100,7 +102,7 @@ class LotDelegate(QStyledItemDelegate):
 
     def _left(self, painter: QPainter, box: QRectF, text: str, colour: str) -> None:
         painter.setPen(self._theme.colour(colour))
-        text = QFontMetricsF(painter.font()).elidedText(text, Qt.TextElideMode.ElideRight, box.width())
+        text = fitted(painter, text, box.width())
         painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
 
     def _pair(self, painter: QPainter, box: QRectF, text: str, colour: str, icon: str = "") -> float:
@@ -178,6 +180,7 @@ class LotList(Card):
         self.view.setModel(self.model)
         self.view.setItemDelegate(LotDelegate(self._theme, self.view))
         self.view.setUniformItemSizes(True)
+        FocusRing(self.view)
         self.view.setVerticalScrollMode(QListView.ScrollMode.ScrollPerPixel)
         self.view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         for period in Period:
