@@ -17,11 +17,14 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLabel,
     QLineEdit,
+    QPushButton,
     QScrollArea,
     QScrollBar,
     QSlider,
     QStyle,
     QStyleOptionComboBox,
+    QStyleOptionSlider,
+    QToolButton,
     QWidget,
 )
 
@@ -64,6 +67,28 @@ def too_small(top: QWidget) -> list[str]:
             edges = (QPoint(middle, 2), QPoint(middle, widget.height() - 3))
             if not all(widget.hitButton(one) for one in edges):
                 found.append(f"{named(widget)} takes no press at its edge")
+    return found
+
+
+def rows_too_small(top: QWidget) -> list[str]:
+    """Return what unfolds, is listed or is dragged in pieces smaller than a gloved finger."""
+    found = []
+    for widget in shown(top):
+        rows: list[int] = []
+        if isinstance(widget, QComboBox) and widget.count():
+            rows = [widget.view().sizeHintForRow(0)]
+        elif isinstance(widget, QAbstractItemView) and widget.model().rowCount():
+            rows = [widget.visualRect(widget.model().index(0, 0)).height()]
+        elif isinstance(widget, QSlider):
+            option = QStyleOptionSlider()
+            widget.initStyleOption(option)
+            control, part = QStyle.ComplexControl.CC_Slider, QStyle.SubControl.SC_SliderHandle
+            handle = widget.style().subControlRect(control, option, part, widget)
+            rows = [handle.width(), handle.height()]
+        if isinstance(widget, QPushButton | QToolButton) and widget.menu() is not None:
+            menu = widget.menu()
+            rows = [menu.actionGeometry(one).height() for one in menu.actions() if not one.isSeparator()]
+        found += [f"{named(widget)}: {row} pixels" for row in rows if row < LEAST_PX]
     return found
 
 

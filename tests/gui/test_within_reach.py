@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from fruitgui.gui.shots.documents import SIZE, scene
 from fruitgui.gui.shots.stage import Stage, drawn
 from fruitgui.gui.widgets import fitting
-from tests.gui.reach import cut_off, focus_unseen, out_of_keyboard, too_small
+from tests.gui.reach import cut_off, focus_unseen, out_of_keyboard, rows_too_small, too_small
 
 SCENES = (
     "connect-nothing", "connect-recorded", "connect-record", "connect-checkup-wrong", "connect-projectors-result",
@@ -63,6 +63,7 @@ def test_a_hand_in_gloves_and_a_keyboard_reach_everything(opened: Shown, monkeyp
     for language in ("es", "en"):
         window = opened("dark", language)
         assert not too_small(window)
+        assert not rows_too_small(window)
         assert not out_of_keyboard(window)
         assert not cut_off(window), language
         assert not shortened, language

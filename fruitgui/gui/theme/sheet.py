@@ -84,8 +84,11 @@ QRadioButton::indicator:checked { image: url($controls/dot-$name.svg); }
 QCheckBox:focus, QRadioButton:focus { border: 2px solid $text; border-radius: 8px; }
 QSlider::groove:horizontal { height: 6px; background: $line; border-radius: 3px; }
 QSlider::sub-page:horizontal { background: $accent; border-radius: 3px; }
-QSlider::handle:horizontal { width: 28px; height: 28px; margin: -11px 0; border-radius: 14px; background: $accent; }
-QSlider::handle:horizontal:focus { border: 3px solid $text; }
+QSlider::handle:horizontal {
+    width: 40px; height: 40px; margin: -17px 0;
+    background: qradialgradient(cx: 0.5, cy: 0.5, radius: 0.5, fx: 0.5, fy: 0.5,
+        stop: 0 $accent, stop: 0.68 $accent, stop: 0.72 transparent);
+}
 QSlider:focus { border: 2px solid $text; border-radius: 8px; }
 QSlider { min-height: ${touch}px; background: transparent; }
 QProgressBar { background: $line; border: 0; border-radius: 4px; max-height: 8px; min-height: 8px; }
@@ -100,6 +103,7 @@ QHeaderView { background: transparent; border: 0; }
 QHeaderView::section { background: transparent; color: $text_dim; border: 0; border-bottom: 1px solid $line;
     padding: 8px; font-size: ${small}px; }
 QTableView::item, QTreeView::item, QListView::item { padding: 6px; border: 0; }
+QListView::item, QComboBox QAbstractItemView::item { min-height: 30px; }
 QListWidget::item:selected { background: $raised; border: 1px solid $accent; border-radius: ${radius}px; }
 QTableView::item:focus, QListView::item:focus, QTreeView::item:focus { border: 2px solid $accent; }
 QScrollBar:vertical { background: transparent; width: 14px; }
@@ -116,7 +120,7 @@ QTabBar::tab:focus { border: 2px solid $text; }
 QTabWidget::pane { border: 0; }
 QToolTip { background: $raised; color: $text; border: 1px solid $line; padding: 6px; }
 QMenu { background: $surface; border: 1px solid $line; padding: 6px; }
-QMenu::item { padding: 10px 24px; border-radius: 6px; }
+QMenu::item { padding: 12px 24px; border-radius: 6px; }
 QMenu::item:selected { background: $raised; }
 QSplitter::handle { background: transparent; }
 

@@ -28,6 +28,7 @@ from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label
+from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.focus import FocusRing
 from fruitgui.gui.widgets.kind_mark import mark_pixmap
 from fruitgui.records.fruit_record import FruitRecord
@@ -64,7 +65,7 @@ class FruitTable(QWidget):
         self._theme = theme
         self._wanted = Wanted(0)
         self.model = FruitModel()
-        self.view, self.show_box, self.kind_box = QTableView(), QComboBox(), QComboBox()
+        self.view, self.show_box, self.kind_box = QTableView(), ChoiceBox(), ChoiceBox()
         self.found = label("", "dim")
         self._delegate = FruitDelegate(theme, self.view)
         self._empty, self._stack = EmptyPlace(theme, "search"), QStackedWidget()

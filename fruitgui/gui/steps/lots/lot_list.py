@@ -8,7 +8,6 @@ from typing import Any
 from PySide6.QtCore import QDate, QEvent, QModelIndex, QPoint, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
-    QComboBox,
     QDateEdit,
     QHBoxLayout,
     QLineEdit,
@@ -28,6 +27,7 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.widgets.cards import Card, EmptyPlace, label
+from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.focus import FocusRing
 
@@ -136,7 +136,7 @@ class LotList(Card):
         super().__init__("", parent)
         self._theme = theme
         self.model = LotModel()
-        self.words, self.period = QLineEdit(), QComboBox()
+        self.words, self.period = QLineEdit(), ChoiceBox()
         self.first, self.last = QDateEdit(QDate.currentDate().addDays(-6)), QDateEdit(QDate.currentDate())
         self.view, self.store, self.found = QListView(), QToolButton(), label("", "small")
         self._empty = EmptyPlace(theme, "lots")
