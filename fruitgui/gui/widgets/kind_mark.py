@@ -22,6 +22,9 @@ ONE, TWO = 0.5, 0.38
 TAPERING, IN_TAPERING = (Shape.TRIANGLE, Shape.DIAMOND, Shape.STAR), 0.86
 """Shapes that leave letters less room, and how much of their size is left."""
 
+RING_ROOM = 0.13
+"""Between a ring and the one inside it, in parts of the mark's side."""
+
 LOW_IN_TRIANGLE = 0.155
 """A triangle is wide below its middle only."""
 
@@ -34,7 +37,7 @@ def paint_mark(painter: QPainter, place: QRectF, mark: KindMark) -> None:
     box = QRectF(0, 0, side, side)
     box.moveCenter(place.center())
     _paint_shape(painter, _inner(box), mark)
-    painter.setPen(QColor(mark.colour) if mark.shape is Shape.RING else INK)
+    painter.setPen(INK)
     font = QFont(FAMILY)
     room = (ONE if len(mark.letters) == 1 else TWO) * (IN_TAPERING if mark.shape in TAPERING else 1.0)
     font.setPixelSize(max(round(side * room), 6))
@@ -54,16 +57,12 @@ def _paint_shape(painter: QPainter, box: QRectF, mark: KindMark) -> None:
     """Draw a mark without its letters, with a dark rim: on a light ground some of the colours have no edge."""
     colour, path, side = QColor(mark.colour), _path(mark.shape, box), box.width()
     rim = max(side / 24.0, 1.0)
-    if mark.shape is Shape.RING:
-        width = max(side / 9.0, 1.5)
-        painter.setPen(QPen(INK, width + 2 * rim))
-        painter.setBrush(INK)
-        painter.drawPath(path)
-        painter.setPen(QPen(colour, width))
-    else:
-        painter.setPen(QPen(INK, rim))
-        painter.setBrush(colour)
+    painter.setPen(QPen(INK, rim))
+    painter.setBrush(colour)
     painter.drawPath(path)
+    if mark.shape is Shape.RING:  # a second one inside tells it from a circle of the same colour
+        room = side * RING_ROOM
+        painter.drawPath(_path(mark.shape, box.adjusted(room, room, -room, -room)))
 
 
 def mark_pixmap(mark: KindMark, size_px: float, ratio: float = 1.0) -> QPixmap:
@@ -118,6 +117,7 @@ def _path(shape: Shape, box: QRectF) -> QPainterPath:
         third = box.width() / 3.0
         path.addRect(box.adjusted(third * 0.8, 0, -third * 0.8, 0))
         path.addRect(box.adjusted(0, third * 0.8, 0, -third * 0.8))
+        return path.simplified()  # one outline, not that of two bars
     elif shape is Shape.TRIANGLE:
         top = QPointF(box.center().x(), box.top())
         path.addPolygon(QPolygonF([top, box.bottomRight(), box.bottomLeft()]))
