@@ -180,13 +180,14 @@ class SensorTile(QAbstractButton):
         theme, health = self._theme, view.condition.health
         colour = theme.colour("on_accent" if lit else health or "text_dim")
         icons.paint(painter, QRectF(line.left(), line.center().y() - 9, 18, 18), _ICONS[health], colour)
-        font = theme.font("small", QFont.Weight.DemiBold)
+        font, plain = theme.font("small", QFont.Weight.DemiBold), theme.font("small")
+        used = 24 + QFontMetricsF(font).horizontalAdvance(view.condition.word) + 2 * GRID
+        roomy = QFontMetricsF(plain).horizontalAdvance(view.rate) + used <= line.width()
+        word = view.short_rate if health == "good" and not roomy and view.short_rate else view.condition.word
         painter.setFont(font)
         painter.setPen(colour)
-        painter.drawText(line.adjusted(24, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, view.condition.word)
-        used = 24 + QFontMetricsF(font).horizontalAdvance(view.condition.word) + 2 * GRID
-        plain = theme.font("small")
-        if QFontMetricsF(plain).horizontalAdvance(view.rate) + used <= line.width():
+        painter.drawText(line.adjusted(24, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, word)
+        if roomy:
             painter.setFont(plain)
             painter.setPen(theme.colour("on_accent" if lit else "text_dim"))
             right = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight
