@@ -25,7 +25,7 @@ from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label, set_role
-from fruitgui.gui.widgets.focus import FocusRing
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.gui.widgets.working import Working
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.sensors.usb.machine import Machine
@@ -104,7 +104,7 @@ class CheckupDialog(QDialog):
     def _lay_out(self) -> None:
         self._summary.setWordWrap(True)
         self._scroll.setWidgetResizable(True)
-        FocusRing(self._scroll)
+        reach(self._scroll)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         buttons = QHBoxLayout()
         buttons.setSpacing(GRID)

@@ -29,8 +29,8 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label
 from fruitgui.gui.widgets.choice_box import ChoiceBox
-from fruitgui.gui.widgets.focus import FocusRing
 from fruitgui.gui.widgets.kind_mark import mark_pixmap
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.records.fruit_record import FruitRecord
 
 WIDTHS = {
@@ -127,7 +127,7 @@ class FruitTable(QWidget):
         view = self.view
         view.setModel(self.model)
         view.setItemDelegate(self._delegate)
-        FocusRing(view)
+        reach(view)
         view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         view.setShowGrid(False)
         view.setTabKeyNavigation(False)

@@ -29,7 +29,7 @@ from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.widgets.cards import Card, EmptyPlace, label
 from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.fitting import fitted
-from fruitgui.gui.widgets.focus import FocusRing
+from fruitgui.gui.widgets.reach import reach
 
 ROW = 84
 TYPED_MS = 200
@@ -180,7 +180,7 @@ class LotList(Card):
         self.view.setModel(self.model)
         self.view.setItemDelegate(LotDelegate(self._theme, self.view))
         self.view.setUniformItemSizes(True)
-        FocusRing(self.view)
+        reach(self.view)
         self.view.setVerticalScrollMode(QListView.ScrollMode.ScrollPerPixel)
         self.view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         for period in Period:

@@ -31,8 +31,8 @@ from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.times import clock_text, duration_text
 from fruitgui.gui.widgets.cards import Card, label, set_health
 from fruitgui.gui.widgets.fitting import fitted
-from fruitgui.gui.widgets.focus import FocusRing
 from fruitgui.gui.widgets.kind_mark import paint_mark
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.records.distribution import Distribution
 
 ROW, HEAD = 28, 24
@@ -219,7 +219,7 @@ class Summary(QScrollArea):
         inside.setProperty("role", "scrolled")
         self.setWidget(inside)
         self.setWidgetResizable(True)
-        FocusRing(self)
+        reach(self)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         column = QVBoxLayout(inside)

@@ -15,8 +15,8 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.view_pictures import ViewPictures
 from fruitgui.gui.widgets.fitting import fitted
-from fruitgui.gui.widgets.focus import FocusRing
 from fruitgui.gui.widgets.kind_mark import paint_mark
+from fruitgui.gui.widgets.reach import reach
 
 SMALLEST, USUAL, LARGEST = 128, 192, 384
 """Pixels: side of a tile."""
@@ -166,7 +166,7 @@ class FruitGrid(QListView):
         self.setModel(model)
         self.setItemDelegate(self._delegate)
         self.setViewMode(QListView.ViewMode.IconMode)
-        FocusRing(self)
+        reach(self)
         self.setMovement(QListView.Movement.Static)
         self.setResizeMode(QListView.ResizeMode.Adjust)
         self.setUniformItemSizes(True)
