@@ -27,6 +27,7 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
+from shiboken6 import isValid
 
 from fruitgui.frame import F64
 from fruitgui.gui.steps.connect.tile import SensorTile
@@ -40,8 +41,13 @@ WORKED = (*PRESSED, QAbstractItemView)
 
 
 def shown(top: QWidget) -> Iterator[QWidget]:
-    """Give what is in view of a window, without what Qt puts into its own widgets."""
+    """Give what is in view of a window, without what Qt puts into its own widgets.
+
+    A screen is drawn anew while one walks over it: what went meanwhile is left out.
+    """
     for widget in top.findChildren(QWidget):
+        if not isValid(widget):
+            continue
         inside = isinstance(widget, QLineEdit) and isinstance(widget.parentWidget(), (QAbstractSpinBox, QComboBox))
         of_qt = widget.objectName().startswith("qt_") or isinstance(widget, (QScrollBar, QHeaderView))
         if widget.isVisibleTo(top) and not inside and not of_qt:
@@ -145,8 +151,12 @@ def focus_unseen(top: QWidget) -> list[str]:
             continue
         _scroll_to(widget)
         before = _without_focus(top, widget)
+        if not isValid(widget):
+            continue
         widget.setFocus(Qt.FocusReason.TabFocusReason)
         QCoreApplication.processEvents()
+        if not isValid(widget):
+            continue
         after = _light(top, widget)
         if widget.hasFocus() and before.shape == after.shape:
             contrast = (np.maximum(before, after) + 0.05) / (np.minimum(before, after) + 0.05)
@@ -171,7 +181,7 @@ def _without_focus(top: QWidget, widget: QWidget) -> F64:
     if had is not None:
         had.clearFocus()
     QCoreApplication.processEvents()
-    return _light(top, widget)
+    return _light(top, widget) if isValid(widget) else np.zeros((0, 0))
 
 
 def _light(top: QWidget, widget: QWidget) -> F64:
