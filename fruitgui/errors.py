@@ -43,6 +43,17 @@ class FruitguiError(Exception):
         self.where = where
         self.values = dict(values or {})
 
+    def __reduce__(self) -> tuple[object, ...]:
+        """Let the error cross to another process, whatever the arguments of its class are."""
+        return _again, (type(self), self.args, self.__dict__)
+
+
+def _again(kind: type[FruitguiError], args: tuple[object, ...], told: Mapping[str, object]) -> FruitguiError:
+    error = kind.__new__(kind)
+    error.args = args
+    error.__dict__.update(told)
+    return error
+
 
 class InputError(FruitguiError):
     """The input cannot be used: a file, an option, a field."""

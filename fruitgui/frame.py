@@ -43,6 +43,16 @@ class Intrinsics:
         """Return x/z and y/z of every pixel's ray, undistorted: (height, width, 2). Shared; do not write."""
         return _rays(self)
 
+    def rays_at(self, pixels: F64) -> F64:
+        """Return x/z and y/z of the rays through pixels (N, 2), undistorted: (N, 2)."""
+        if self.distortion:
+            import cv2
+
+            points = np.asarray(pixels, dtype=np.float64).reshape(-1, 1, 2)
+            undistorted = cv2.undistortPoints(points, self.matrix, np.array(self.distortion))
+            return np.asarray(undistorted, dtype=np.float64).reshape(-1, 2)
+        return (np.asarray(pixels, dtype=np.float64) - [self.cx, self.cy]) / [self.fx, self.fy]
+
     def project(self, points_m: F64) -> F64:
         """Return pixel coordinates (N, 2) of points (N, 3) in the optical frame, z > 0, lens included."""
         import cv2
@@ -57,16 +67,9 @@ class Intrinsics:
 
 @lru_cache(maxsize=64)
 def _rays(camera: Intrinsics) -> F32:
-    import cv2
-
-    rays: F32
     u, v = np.meshgrid(np.arange(camera.width, dtype=np.float64), np.arange(camera.height, dtype=np.float64))
-    if camera.distortion:
-        pixels = np.stack([u, v], axis=-1).reshape(-1, 1, 2)
-        undistorted = cv2.undistortPoints(pixels, camera.matrix, np.array(camera.distortion))
-        rays = undistorted.reshape(camera.height, camera.width, 2).astype(np.float32)
-    else:
-        rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy], axis=-1).astype(np.float32)
+    rays = camera.rays_at(np.stack([u, v], axis=-1).reshape(-1, 2)).astype(np.float32)
+    rays = rays.reshape(camera.height, camera.width, 2)
     rays.setflags(write=False)
     return rays
 

@@ -30,7 +30,7 @@ from fruitgui.simulation.looped import LoopedSensor
 from fruitgui.simulation.scenes import line_scene, still_scene
 from fruitgui.simulation.simulated import sensor_info
 from fruitgui.station.fruit import Fruit
-from fruitgui.station.live import LiveLine
+from fruitgui.station.live import Counting, LiveLine
 from fruitgui.station.record_job import PACKERS, record_feed
 from fruitgui.station.record_state import RecordPlan
 from fruitgui.station.sink import CountedFruit, Crop
@@ -149,7 +149,7 @@ def live(rig: Rig, path: Path, seconds: float) -> Iterator[str]:
 
 def _live(rig: Rig, path: Path | None, seconds: float, *, with_line: bool) -> str:
     feed = Feed(rig.sensors())
-    line = LiveLine(feed, rig.station, None, BufferedSink(_Nowhere())) if with_line else None
+    line = LiveLine(feed, rig.station, None, Counting(BufferedSink(_Nowhere()))) if with_line else None
     feed.start()
     try:
         if line is not None:

@@ -48,13 +48,23 @@ class Mount:
 
 def _view_on_plane(intrinsics: Intrinsics, plane: Plane, farthest_m: float = 6.0) -> F64:
     """Return where the rays around the picture's edge meet the plane, (K, 3) in the optical frame."""
-    rays = intrinsics.rays()
-    edge = np.concatenate([rays[0, ::16], rays[::16, -1], rays[-1, ::-16], rays[::-16, 0]]).astype(np.float64)
+    edge = intrinsics.rays_at(_edge(intrinsics))
     directions = np.hstack([edge, np.ones((len(edge), 1))])
     approach = -(directions @ plane.normal)
     with np.errstate(divide="ignore"):
         z = np.where(approach > 1e-6, plane.offset_m / np.maximum(approach, 1e-6), farthest_m)
     return np.asarray(directions * np.clip(z, 0.0, farthest_m)[:, None])
+
+
+def _edge(picture: Intrinsics, step_px: int = 16) -> F64:
+    """Return pixels (K, 2) around a picture's edge: the rays of all others are not asked for."""
+    right, low = picture.width - 1, picture.height - 1
+    u, v = np.arange(0, right + 1, step_px), np.arange(0, low + 1, step_px)
+    sides = (
+        (u, np.zeros_like(u)), (np.full_like(v, right), v), (right - u, np.full_like(u, low)),
+        (np.zeros_like(v), low - v),
+    )  # fmt: skip
+    return np.concatenate([np.column_stack(side) for side in sides]).astype(np.float64)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -10,7 +10,7 @@ from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
 from fruitgui.records.totals import KindTotal
 from fruitgui.sensors.feed import Feed
-from fruitgui.station.live import LIVE, Intake, LiveLine
+from fruitgui.station.live import LIVE, Counting, Intake, LineApart
 from fruitgui.station.model import Model
 from fruitgui.station.noted import NotedSink
 from fruitgui.station.station import Station
@@ -49,7 +49,7 @@ class Begun:
     """
 
     feed: Feed
-    line: LiveLine
+    line: LineApart
     lot: Lot
     sink: NotedSink
     aside: SetAside | None
@@ -78,7 +78,7 @@ def begun(feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], so
     if aside is not None:
         sink.then = aside.keep
     teacher = None if aside is None else aside.take
-    line = LiveLine(feed, plan.station, model, BufferedSink(sink), None, plan.intake, teacher)
+    line = LineApart(feed, plan.station, model, Counting(BufferedSink(sink), teacher), None, plan.intake)
     lot = begin()
     totals = store.lots.totals(lot.key)
     line.count_into(None if lot.paused else lot.key)

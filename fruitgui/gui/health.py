@@ -23,12 +23,12 @@ from fruitgui.station.live.state import LiveWarning
 log = logging.getLogger(__name__)
 
 LOOK_MS = 1000
-STAYING = ("calibration_stale", "not_kept", "fruit_not_counted", "mostly_unknown")
+STAYING = ("calibration_stale", "not_kept", "fruit_not_counted", "mostly_unknown", "line_begun_again", "line_lost")
 """Warnings that stay until a person has put them away: a lot may be wrong by them."""
 
 AWAY = ("part_blind", "sensor_away")
 SPARSE = ("part_sparse", "sensor_sparse")
-AGAIN = (*AWAY, *SPARSE, "clock_jumped", "mostly_unknown")
+AGAIN = (*AWAY, *SPARSE, "clock_jumped", "mostly_unknown", "line_begun_again")
 """Warnings that are said each time: a sensor that goes away once more, a clock that leaps once more, a belt that is wet
 once more."""
 
@@ -44,7 +44,7 @@ class HealthWatch(QObject):
         self._bar = bar
         self._said: set[tuple[str, tuple[str, ...], int]] = set()
         self._free_gb: float | None = None
-        self._queries = Queries(self)
+        self._queries = Queries(self, linger_s=2.5 * LOOK_MS / 1e3)
         self._timer = QTimer(self, interval=LOOK_MS)
         self._timer.timeout.connect(self._ask)
         session.running.ticked.connect(self._warn)
@@ -135,7 +135,7 @@ def warning_message(warning: LiveWarning, blind: Blind | None = None) -> Message
         "fruit_not_measured": _not_measured, "fruit_not_counted": _not_counted,
         "part_blind": _away, "sensor_away": _away, "part_sparse": _sparse, "sensor_sparse": _sparse,
         "may_be_blinded": _may_be_blinded, "not_drawn": _not_drawn, "not_watched": _not_watched,
-        "mostly_unknown": _mostly_unknown,
+        "mostly_unknown": _mostly_unknown, "line_begun_again": _begun_again, "line_lost": _lost,
     }.get(warning.code)  # fmt: skip
     if words is None:
         return Message(Level.WARN, lambda: Told(warning.text))
@@ -256,6 +256,20 @@ def _not_counted() -> tuple[str, str]:
     return (
         QCoreApplication.translate("Health", "A fruit was followed but could not be counted."),
         QCoreApplication.translate("Health", "The log says what went wrong: open the help, then Show log."),
+    )
+
+
+def _begun_again() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "The line broke off and goes on; fruit that were in view may be missing."),
+        QCoreApplication.translate("Health", "Nothing is to be done now. If this comes back, call for help."),
+    )
+
+
+def _lost() -> tuple[str, str]:
+    return (
+        QCoreApplication.translate("Health", "The line broke off again and again: nothing is counted now."),
+        QCoreApplication.translate("Health", "End the lot and start a new one. If this comes back, call for help."),
     )
 
 

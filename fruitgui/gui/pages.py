@@ -80,11 +80,12 @@ class PageMaking(QObject):
     """Makes every screen once a window has been painted, so that none is waited for when it is first gone to.
 
     Modules are loaded beside the window; screens are made on its thread, one at a time, once that is done: meanwhile
-    they would wait for Python's lock.
+    they would wait for Python's lock. Between making one and placing it, where it is dressed, the window listens.
 
     Args:
         window: that is to be painted first.
         make: makes the screen of a step, if it is not there.
+        place: puts it where it belongs.
 
     Attributes:
         done: every screen is there.
@@ -92,9 +93,17 @@ class PageMaking(QObject):
 
     done = Signal()
 
-    def __init__(self, window: QWidget, make: Callable[[Step], object], parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        window: QWidget,
+        make: Callable[[Step], object],
+        place: Callable[[Step], object],
+        parent: QObject | None = None,
+    ) -> None:
         super().__init__(parent)
         make_classes()
+        self._place = place
+        self._unplaced: Step | None = None
         self._make = make
         self._wanted = list(Step)
         self._stopped = threading.Event()
@@ -114,7 +123,7 @@ class PageMaking(QObject):
     @property
     def finished(self) -> bool:
         """Whether every screen is there."""
-        return not self._wanted
+        return not self._wanted and self._unplaced is None
 
     @property
     def running(self) -> bool:
@@ -125,6 +134,7 @@ class PageMaking(QObject):
         """Make no more."""
         self._stopped.set()
         self._between.stop()
+        self._place_made()
         if self._thread.is_alive():
             self._thread.join()
 
@@ -134,8 +144,16 @@ class PageMaking(QObject):
                 page_maker(step)
 
     def _make_next(self) -> None:
-        if not self._wanted:
+        if self._unplaced is not None:
+            self._place_made()
+        elif not self._wanted:
             self._between.stop()
             self.done.emit()
         elif not self._thread.is_alive():
-            self._make(self._wanted.pop(0))
+            self._unplaced = self._wanted.pop(0)
+            self._make(self._unplaced)
+
+    def _place_made(self) -> None:
+        if self._unplaced is not None:
+            self._place(self._unplaced)
+            self._unplaced = None

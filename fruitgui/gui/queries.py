@@ -38,13 +38,14 @@ class _Asked:
 class _Work:
     """What is asked and what is answered, and the thread between them; knows no window."""
 
-    def __init__(self) -> None:
+    def __init__(self, linger_s: float) -> None:
+        self._linger_s = linger_s
         self._more = threading.Condition()
         self.changes: deque[_Asked] = deque()
         self.questions: deque[_Asked] = deque()
         self.patient: deque[_Asked] = deque()
         self._done: deque[_Asked] = deque()
-        self._running = self._in_hand = False
+        self._running = self._in_hand = self._finished = False
 
     @property
     def open(self) -> bool:
@@ -68,6 +69,12 @@ class _Work:
         with self._more:
             self.questions.clear()
             self.patient.clear()
+
+    def finish(self) -> None:
+        """Let no thread wait for more any longer."""
+        with self._more:
+            self._finished = True
+            self._more.notify_all()
 
     def wait_for_changes(self, timeout_s: float) -> bool:
         """Wait until all changes are made; tell whether they were, in that time."""
@@ -93,7 +100,8 @@ class _Work:
 
     def _next(self) -> _Asked | None:
         with self._more:
-            if not self._more.wait_for(self._waiting, LINGER_S):
+            self._more.wait_for(lambda: self._waiting() or self._finished, self._linger_s)
+            if not self._waiting():
                 self._running = False
                 return None
             self._in_hand = True
@@ -105,8 +113,13 @@ class Queries(QObject):
 
     Answers come on the window's thread.
 
-    A thread lives while there is something to ask. Of questions under one name only the newest is answered: a list
-    that was scrolled on, a search that was typed further. Changes are all made, even when the window closes.
+    A thread lives while there is something to ask, and a while longer. Of questions under one name only the newest is
+    answered: a list that was scrolled on, a search that was typed further. Changes are all made, even when the window
+    closes.
+
+    Args:
+        linger_s: how long; for what is asked again and again, longer than from once to the next. The window waits until
+            a thread has begun, which takes up to 90 ms on a busy machine.
 
     Attributes:
         failed: a `FruitguiError`, of a question or a change.
@@ -114,9 +127,9 @@ class Queries(QObject):
 
     failed = Signal(object)
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None, linger_s: float = LINGER_S) -> None:
         super().__init__(parent)
-        self._work = _Work()
+        self._work = _Work(linger_s)
         self._newest: dict[str, _Asked] = {}
         self._look = QTimer(self, interval=LOOK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._look.timeout.connect(self._tell)
@@ -147,6 +160,7 @@ class Queries(QObject):
         """Forget all questions, and wait until all changes are made and told; tell whether they were, in that time."""
         self.rest()
         made = self._work.wait_for_changes(timeout_s)
+        self._work.finish()
         self._tell()
         return made
 

@@ -24,7 +24,7 @@ from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.set_aside import SetAside
 from fruitgui.records.spells import SpellSort
 from fruitgui.records.store import Store
-from fruitgui.station.live import LiveLine, LiveState, LiveWarning, Preview
+from fruitgui.station.live import LineApart, LiveState, LiveWarning, Preview
 from fruitgui.station.live.blind import Blind
 from fruitgui.station.noted import NotedSink
 
@@ -67,7 +67,7 @@ class Running(QObject):
         self._connected = connected
         self._tasks = tasks
         self._messages = messages
-        self._line: LiveLine | None = None
+        self._line: LineApart | None = None
         self._sink: NotedSink | None = None
         self._aside: SetAside | None = None
         self._state: LiveState | None = None

@@ -15,7 +15,7 @@ from fruitgui.records.taught import Sample, TaughtFruit
 from fruitgui.records.teaching import Teachable, Teaching
 from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.player import FlatOut, recorded_sensors
-from fruitgui.station.live import FLAT_OUT, LIVE, Finished, Intake, LiveLine, Phase
+from fruitgui.station.live import FLAT_OUT, LIVE, Counting, Finished, Intake, LineApart, Phase
 from fruitgui.station.live.state import LiveWarning
 from fruitgui.station.station import Station
 from fruitgui.station.waiting import BufferedSink
@@ -131,7 +131,7 @@ def _watch(
     begin: Callable[[], None] = lambda: None,
 ) -> Lesson:
     gathering = Gathering(store.teaching, source)
-    line = LiveLine(feed, station, None, BufferedSink(store), None, intake, gathering.take)
+    line = LineApart(feed, station, None, Counting(BufferedSink(store), gathering.take), None, intake)
     line.start()
     try:
         begin()

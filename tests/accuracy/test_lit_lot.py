@@ -13,7 +13,7 @@ from fruitgui.sensors.turns import Schedule
 from fruitgui.simulation.show import Showing
 from fruitgui.simulation.supply import crossed
 from fruitgui.station.calibrate_job import calibrate_stills
-from fruitgui.station.live import PLAYED, LiveLine
+from fruitgui.station.live import PLAYED, Counting, LiveLine
 from fruitgui.station.sources import PRESETS, SimulatedSource
 from fruitgui.station.station import Station
 from fruitgui.station.stills import collect_stills
@@ -71,7 +71,7 @@ def run(station: Station, schedule: Schedule | None = None) -> Ran:
     feed, sink = Feed(connected.sensors), MemorySink()
     rig = station.rig({name: info.intrinsics for name, info in feed.infos.items()})
     feed.take_turns(schedule_of(feed.infos, overlapping(rig)) if schedule is None else schedule)
-    line = LiveLine(feed, station, None, BufferedSink(sink), 1, PLAYED)
+    line = LiveLine(feed, station, None, Counting(BufferedSink(sink)), 1, PLAYED)
     line.start()
     feed.start()
     try:

@@ -1,6 +1,9 @@
 from __future__ import annotations
 
 import mmap
+import os
+import subprocess
+import sys
 import time
 from collections import Counter
 from pathlib import Path
@@ -79,15 +82,18 @@ def test_a_figure_says_what_was_asked_and_marks_what_is_not_so() -> None:
 def test_memory_that_grows_is_told_by_the_fruit(monkeypatch: pytest.MonkeyPatch) -> None:
     at = iter(range(100))
     monkeypatch.setattr(watches.time, "monotonic", lambda: 2.0 * next(at))
-    held = iter(range(100, 200))
-    monkeypatch.setattr(watches, "resident_mb", lambda: float(next(held)))
+    held = {os.getpid(): iter(range(100, 200)), 7: iter([50] * 100), 8: iter(range(0, 200, 2))}
+    monkeypatch.setattr(watches, "resident_mb", lambda pid: float(next(held[pid])))
+    monkeypatch.setattr(watches, "beside_pids", lambda: [7, 8])
     memory = Memory()
     for fruit in range(0, 300, 10):
         memory.look(fruit)
-    grown, hours = memory.figures(fruit_per_hour=580.0)
+    grown, beside, hours = memory.figures(fruit_per_hour=580.0)
     assert grown.measured == "+100.00 MB"
     assert grown.met is False
-    assert "110 MB, 129 MB after 0.6 minutes and 190 fruit" in grown.more
+    assert "110 MB, 129 MB, most 129 MB after 0.6 minutes and 190 fruit" in grown.more
+    assert (beside.measured, beside.met) == ("+200.00 MB", False)
+    assert "70 MB, 108 MB, most 108 MB of 2 processes" in beside.more
     assert hours.measured == "0.50 hours"
 
 
@@ -101,7 +107,23 @@ def test_memory_that_was_hardly_looked_at_says_nothing() -> None:
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the system does not say")
 def test_the_process_holds_what_it_was_given() -> None:
-    before_mb = watches.resident_mb()
+    before_mb = watches.resident_mb(os.getpid())
     with mmap.mmap(-1, 50_000_000) as held:  # pages that nobody had before, not what was let go a moment ago
         held.write(b"x" * len(held))
-        assert watches.resident_mb() - before_mb > 45.0
+        assert watches.resident_mb(os.getpid()) - before_mb > 45.0
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the system does not say")
+def test_processes_beside_are_found_with_those_that_they_started() -> None:
+    program = "import subprocess, sys; one = subprocess.Popen([sys.executable, '-c', 'input()'])"
+    program += "; print(one.pid, flush=True); one.wait()"
+    with subprocess.Popen(
+        [sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as first:
+        assert first.stdout is not None
+        second = int(first.stdout.readline())
+        assert {first.pid, second} <= set(watches.beside_pids())
+        assert watches.resident_mb(first.pid) > 1.0
+        first.communicate("\n")
+    assert first.pid not in watches.beside_pids()
+    assert watches.resident_mb(first.pid) == 0.0

@@ -33,27 +33,28 @@ def test_a_screen_is_made_once_when_it_is_first_wanted(qtbot: QtBot, session: Se
 
 
 def test_all_screens_are_made_after_the_first_painting(qtbot: QtBot) -> None:
-    window, made = QWidget(), list[Step]()
+    window, done = QWidget(), list[tuple[str, Step]]()
     qtbot.addWidget(window)
-    making = PageMaking(window, made.append)
+    making = PageMaking(window, lambda step: done.append(("made", step)), lambda step: done.append(("placed", step)))
     QCoreApplication.processEvents()
-    assert not made
+    assert not done
     with qtbot.waitSignal(making.done, timeout=60_000):
         window.show()
-    assert made == list(Step)
+    assert done == [(what, step) for step in Step for what in ("made", "placed")]
     making.stop()
 
 
 def test_no_more_are_made_once_it_is_stopped(qtbot: QtBot) -> None:
-    window, made = QWidget(), list[Step]()
+    window, made, placed = QWidget(), list[Step](), list[Step]()
     qtbot.addWidget(window)
-    making = PageMaking(window, made.append)
+    making = PageMaking(window, made.append, placed.append)
     with qtbot.waitExposed(window):
         window.show()
     qtbot.waitUntil(lambda: len(made) > 0, timeout=60_000)
     making.stop()
     assert not making.running
     assert not making.finished
+    assert made == placed, "none is left without a place"
 
 
 def test_the_window_loads_no_screen_before_one_is_wanted() -> None:
@@ -72,7 +73,7 @@ from fruitgui.gui.app import make_qt
 from fruitgui.gui.pages import PageMaking
 qt = make_qt()
 lazy = {module: set(dir(module)) - set(vars(module)) for module in (QtCore, QtGui, QtWidgets)}
-making = PageMaking(QtWidgets.QWidget(), print)
+making = PageMaking(QtWidgets.QWidget(), print, print)
 for module, names in lazy.items():
     print(len(names), len(names - set(vars(module))))
 print(making.running)

@@ -131,3 +131,15 @@ def test_the_thread_lingers_for_the_next_question_and_then_ends(
     qtbot.waitUntil(lambda: not threads[0].is_alive())
     ask()
     assert threads[3] is not threads[0]
+
+
+def test_one_thread_serves_what_is_asked_again_and_again_and_ends_when_it_is_finished(qtbot: QtBot) -> None:
+    queries, threads = Queries(linger_s=600.0), list[threading.Thread]()
+    for number in range(3):
+        queries.ask("again", threading.current_thread, threads.append)
+        qtbot.waitUntil(lambda number=number: len(threads) == number + 1)  # type: ignore[misc]
+    assert len(set(threads)) == 1
+    assert threads[0].is_alive()
+    assert queries.finish()
+    threads[0].join(20.0)
+    assert not threads[0].is_alive()

@@ -20,7 +20,7 @@ from fruitgui.simulation.supply import LineOptions, crossed
 from fruitgui.station.belt_job import measure_belt
 from fruitgui.station.calibrate_job import calibrate_stills
 from fruitgui.station.judging import FEATURES
-from fruitgui.station.live import FLAT_OUT, LiveLine, Phase
+from fruitgui.station.live import FLAT_OUT, Counting, LiveLine, Phase
 from fruitgui.station.model import read_model
 from fruitgui.station.record_job import record_feed
 from fruitgui.station.record_state import Ending, RecordPlan, RecordState
@@ -84,7 +84,7 @@ def test_from_a_source_to_counts_that_equal_the_truth(stage: Stage, calibrated: 
     train_recordings(lessons, station, model)
     connected = SimulatedSource(OPTIONS, flat_out=True).connect()
     feed, sink = Feed(connected.sensors), MemorySink()
-    line = LiveLine(feed, calibrated, read_model(model, FEATURES), BufferedSink(sink), 7, FLAT_OUT)
+    line = LiveLine(feed, calibrated, read_model(model, FEATURES), Counting(BufferedSink(sink)), 7, FLAT_OUT)
     run_to_the_end(feed, line)
     assert connected.rig is not None
     truth = crossed(OPTIONS, connected.rig.belt_s)
@@ -119,7 +119,7 @@ def test_a_recording_through_the_line_counts_what_running_it_counts(
     assert shares[0] == 0.0
     assert shares[-1] > 0.7
     feed, sink = Feed(RecordedSource(path, speed=0.0).connect().sensors), MemorySink()
-    run_to_the_end(feed, LiveLine(feed, calibrated, None, BufferedSink(sink), 1, FLAT_OUT))
+    run_to_the_end(feed, LiveLine(feed, calibrated, None, Counting(BufferedSink(sink)), 1, FLAT_OUT))
     volumes_ml = sorted(counted.fruit.volume_m3.value * 1e6 for counted, _ in sink.kept)
     assert volumes_ml == pytest.approx(sorted(one["volume_ml"] for one in report["fruit"]), rel=1e-6)
 
@@ -155,7 +155,7 @@ def test_what_is_recorded_beside_the_running_line_is_what_it_saw(calibrated: Sta
     path, station = tmp_path / "beside.mcap", tmp_path / "station.json"
     write_station(station, calibrated)
     feed, sink = Feed(SimulatedSource(OPTIONS, flat_out=True).connect().sensors), MemorySink()
-    line = LiveLine(feed, calibrated, None, BufferedSink(sink), 1, FLAT_OUT)
+    line = LiveLine(feed, calibrated, None, Counting(BufferedSink(sink)), 1, FLAT_OUT)
     waits = threading.Event()
     with ThreadPoolExecutor(1) as beside:
         recording = beside.submit(record_feed, feed, RecordPlan(path), lambda _: waits.set())

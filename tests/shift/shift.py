@@ -14,7 +14,7 @@ from fruitgui.records.lot import LotPlan
 from fruitgui.records.store import Store
 from fruitgui.sensors.feed import Feed, Running
 from fruitgui.sensors.kinect.driver import KinectDriver
-from fruitgui.station.live import LIVE, LiveLine
+from fruitgui.station.live import LIVE, Counting, LiveLine
 from fruitgui.station.sources import DeviceId, DevicesSource
 from fruitgui.station.waiting import BufferedSink
 from tests.emulated_usb.emulation import Emulation, Kinect
@@ -108,7 +108,7 @@ def _run(usb: Emulation, seconds: float, seed: int, store: Store) -> Outcome:
     source = DevicesSource(tuple(DeviceId(driver.make, serial) for serial in SERIALS), lambda: [driver])
     feed, sink = Feed(source.connect().sensors), SeenSink(store)
     lot = store.lots.start(LotPlan("Shift")).key
-    line = LiveLine(feed, belt.station(feed.sensors, SERIALS), None, BufferedSink(sink), lot, LIVE)
+    line = LiveLine(feed, belt.station(feed.sensors, SERIALS), None, Counting(BufferedSink(sink)), lot, LIVE)
     scene = belt.Belt(seed, lambda kinect, time_s: not any(one.troubles(kinect, time_s) for one in happening))
     player = Player(usb, scene, [fault for one in happening for fault in one.faults], HOLD_MS, seed)
     player.start()

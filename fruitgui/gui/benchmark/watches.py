@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import sys
 import time
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QObject
 
+from fruitgui.frame import F64
 from fruitgui.gui.benchmark.figure import Figure
 from fruitgui.gui.widgets.sensor_picture import SensorPicture
 
@@ -49,16 +54,23 @@ class PictureCount(QObject):
 
 @dataclass(frozen=True, slots=True)
 class Held:
-    """What the process held at one time: fruit that it had counted, its memory, and Python's blocks of it."""
+    """What was held at one time.
+
+    Attributes:
+        time_s: when. fruit: that were counted.
+        resident_mb: memory of the window's process. blocks: Python's of it.
+        beside_mb: memory of the line's process and its helpers.
+    """
 
     time_s: float
     fruit: int
     resident_mb: float
     blocks: int
+    beside_mb: float
 
 
 class Memory:
-    """Looks once a second at what the process holds."""
+    """Looks once a second at what the window's process holds, and those beside it."""
 
     def __init__(self) -> None:
         self._held: list[Held] = []
@@ -67,7 +79,7 @@ class Memory:
         """Note what is held, if the last look was long enough ago."""
         now_s = time.monotonic()
         if not self._held or now_s - self._held[-1].time_s >= EVERY_S:
-            self._held.append(Held(now_s, fruit, resident_mb(), sys.getallocatedblocks()))
+            self._held.append(_held(now_s, fruit))
 
     def figures(self, fruit_per_hour: float) -> Iterator[Figure]:
         """Give how it grew; the first third is left out, in which caches fill.
@@ -80,24 +92,46 @@ class Memory:
             yield Figure("memory", "looked at too few times")
             return
         fruit = np.array([one.fruit for one in held]) - held[0].fruit
-        resident_mb, blocks = (np.array([getattr(one, name) for one in held]) for name in ("resident_mb", "blocks"))
-        by_mb, by_block = (1000.0 * float(np.polyfit(fruit, y, 1)[0]) for y in (resident_mb, blocks))
         took_min = (held[-1].time_s - held[0].time_s) / 60.0
-        more = (
-            f"{resident_mb[0]:.0f} MB, {resident_mb[-1]:.0f} MB after {took_min:.1f} minutes and {fruit[-1]} fruit; "
-            f"most {resident_mb.max():.0f} MB; {by_block:+.0f} blocks of Python's"
-        )
-        asked = f"<= {MOST_MB:+.0f} MB"
-        yield Figure("memory for 1000 fruit more", f"{by_mb:+.2f} MB", asked, by_mb <= MOST_MB, more)
+        blocks = 1000.0 * float(np.polyfit(fruit, [one.blocks for one in held], 1)[0])
+        took = f"after {took_min:.1f} minutes and {fruit[-1]} fruit; {blocks:+.0f} blocks of Python's"
+        yield _growth("memory for 1000 fruit more", fruit, np.array([one.resident_mb for one in held]), took)
+        beside = np.array([one.beside_mb for one in held])
+        yield _growth("the same, line and helpers", fruit, beside, f"of {len(beside_pids())} processes")
         counted = self._held[-1].fruit - self._held[0].fruit
         more = f"{counted} fruit; this belt brings {fruit_per_hour:.0f} an hour"
         yield Figure("belt's time that was counted", f"{counted / fruit_per_hour:.2f} hours", "", None, more)
 
 
-def resident_mb() -> float:
-    """Return the memory that this process holds; not a number where the system does not say."""
-    status = Path("/proc/self/status")
-    if not status.exists():
+def _held(now_s: float, fruit: int) -> Held:
+    beside_mb = sum(resident_mb(pid) for pid in beside_pids())
+    return Held(now_s, fruit, resident_mb(os.getpid()), sys.getallocatedblocks(), beside_mb)
+
+
+def _growth(name: str, fruit: NDArray[Any], memory_mb: F64, more: str) -> Figure:
+    """Return by how much memory grows for a thousand fruit, by a line through all looks."""
+    by_mb = 1000.0 * float(np.polyfit(fruit, memory_mb, 1)[0])
+    told = f"{memory_mb[0]:.0f} MB, {memory_mb[-1]:.0f} MB, most {memory_mb.max():.0f} MB {more}"
+    return Figure(name, f"{by_mb:+.2f} MB", f"<= {MOST_MB:+.0f} MB", by_mb <= MOST_MB, told)
+
+
+def resident_mb(pid: int) -> float:
+    """Return the memory that a process holds, 0 where it has ended; not a number where the system does not say."""
+    if not Path("/proc/self/status").exists():
         return float("nan")
-    line = next(line for line in status.read_text(encoding="ascii").splitlines() if line.startswith("VmRSS"))
-    return int(line.split()[1]) * 1024 / MB
+    try:
+        lines = Path(f"/proc/{pid}/status").read_text(encoding="ascii").splitlines()
+    except OSError:
+        return 0.0
+    return sum(int(line.split()[1]) * 1024 / MB for line in lines if line.startswith("VmRSS"))
+
+
+def beside_pids() -> list[int]:
+    """Return all processes that this one started, and those that they started."""
+    found, asked = [], [os.getpid()]
+    while asked:
+        for children in Path(f"/proc/{asked.pop()}/task").glob("*/children"):
+            with contextlib.suppress(OSError):
+                asked += (pids := [int(pid) for pid in children.read_text(encoding="ascii").split()])
+                found += pids
+    return found

@@ -52,6 +52,10 @@ def words() -> Mapping[str, tuple[str, str]]:
             translate("Errors", "A part of the line's work failed."),
             translate("Errors", "The line goes on; if this comes often, calibrate again. The log says more."),
         ),
+        "line_not_started": (
+            translate("Errors", "The line could not be started."),
+            translate("Errors", "Close other programs and try again. The log says more."),
+        ),
         "matroska": (
             translate("Errors", "{file} is a video of an Azure Kinect's recorder, which cannot be read here."),
             translate("Errors", "Play it through the Azure Kinect's ROS driver and record that as .mcap or .bag."),

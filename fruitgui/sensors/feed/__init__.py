@@ -3,7 +3,7 @@
 from fruitgui.sensors.feed.feed import Feed
 from fruitgui.sensors.feed.health import LOST_SHARE, SLOW_SHARE, Running, SensorHealth
 from fruitgui.sensors.feed.lit import Lit
-from fruitgui.sensors.feed.order import ByArrival, ByCapture
+from fruitgui.sensors.feed.order import ByArrival, ByCapture, Order
 from fruitgui.sensors.feed.subscription import Arrival, DropOldest, Room, Subscription, WaitForRoom
 
 __all__ = [
@@ -15,6 +15,7 @@ __all__ = [
     "DropOldest",
     "Feed",
     "Lit",
+    "Order",
     "Room",
     "Running",
     "SensorHealth",

@@ -25,9 +25,15 @@ class Order(Protocol):
             now_s: the host's monotonic clock.
         """
 
+    def shift(self, offsets_s: Mapping[str, float]) -> None:
+        """Take the stamps of sensors for later by so much, from the next frame on."""
+
 
 class ByArrival:
     """As they came."""
+
+    def shift(self, offsets_s: Mapping[str, float]) -> None:
+        """Do nothing: stamps say nothing here."""
 
     def next(self, heads: Heads, absent: Collection[str], now_s: float) -> tuple[str | None, float]:  # noqa: ARG002
         """Return the sensor whose frame came first."""

@@ -146,6 +146,12 @@ class Subscription:
         """How many frames wait to be taken."""
         return sum(len(queue) for queue in list(self._queues.values()))
 
+    def shift(self, offsets_s: Mapping[str, float]) -> None:
+        """Let the frames of sensors leave from now on as if they had been captured later by so many seconds."""
+        with self._changed:
+            self._order.shift(offsets_s)
+            self._changed.notify_all()
+
     def clear(self) -> int:
         """Let go of everything that waits; return how many frames that were."""
         with self._changed:

@@ -1,8 +1,8 @@
 """The processes beside the line: as many as there are cores, so that the line's own process has its hands free.
 
-What a thread of the line's own process works on in Python keeps the window waiting for the interpreter's lock. So
-frames are perceived and tracks measured beside it, and the line waits where all helpers are busy; only where there
-are none, or none yet, it works itself.
+What a thread of the line's own process works on in Python keeps those that follow and count waiting for the
+interpreter's lock. So frames are perceived and tracks measured beside it, and the line waits where all helpers are
+busy; only where there are none, or none yet, it works itself.
 """
 
 from __future__ import annotations

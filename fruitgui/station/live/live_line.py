@@ -7,27 +7,28 @@ import statistics
 import threading
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 
-from fruitgui.sensors.feed import ByCapture, Feed, Subscription
+from fruitgui.sensors.feed import ByCapture
 from fruitgui.station.lineup import line_up
 from fruitgui.station.live.bench import Bench
-from fruitgui.station.live.counting import Counting, Teacher
+from fruitgui.station.live.counting import Counts
+from fruitgui.station.live.finishing import Finishing
 from fruitgui.station.live.first_look import FirstLook, Leaving
 from fruitgui.station.live.following import Following
 from fruitgui.station.live.helper import Hands
 from fruitgui.station.live.intake import LIVE, ClockWatch, Intake
 from fruitgui.station.live.perceiving import Perceived, Perceiving
+from fruitgui.station.live.pictures import Arrivals, Pictures
 from fruitgui.station.live.sensor_watch import SensorWatch
 from fruitgui.station.live.showing import Showing
 from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
 from fruitgui.station.live.warnings import Warnings
-from fruitgui.station.live.weighing import Weighings
+from fruitgui.station.live.weighing import Weighing, Weighings
 from fruitgui.station.model import Model
 from fruitgui.station.station import Station
-from fruitgui.station.waiting import BufferedSink
 
 PERCEIVED_AHEAD = 6
 """Frames that may be perceived, or be with helpers, before the one that is to be followed next."""
@@ -52,10 +53,9 @@ class LiveLine:
         feed: runs the sensors; started and stopped by its own owner.
         station: that the sensors belong to.
         model: names and corrects; without one every kind is `unknown`.
-        sink: keeps fruit; what it returns is counted.
+        counting: keeps finished fruit and counts them.
         lot: into which fruit are counted; None lets them pass uncounted.
         intake: how frames get in.
-        teacher: told of every fruit that left, on the line's thread.
 
     Raises:
         InputError: the station has none of the sensors.
@@ -63,13 +63,12 @@ class LiveLine:
 
     def __init__(
         self,
-        feed: Feed,
+        feed: Pictures,
         station: Station,
         model: Model | None,
-        sink: BufferedSink,
+        counting: Counts,
         lot: int | None = None,
         intake: Intake = LIVE,
-        teacher: Teacher | None = None,
     ) -> None:
         self._feed = feed
         self._intake = intake
@@ -77,21 +76,21 @@ class LiveLine:
         self._lineup = line_up(station, feed.infos.values())
         hands = Hands(self._lineup.eyes, self._lineup.rig, model)
         self._bench = Bench(hands)
-        self._order = ByCapture(self._lineup.offsets_s, intake.patience_s)
         self._warnings = Warnings(self._lineup.warnings)
         self._perceiving = Perceiving(
-            self._lineup, self._bench, hands.worker(), self._order, ClockWatch(intake.jump_s), self._warnings
+            self._lineup, self._bench, hands.worker(), self._shift, ClockWatch(intake.jump_s), self._warnings
         )
         self._following = Following(self._lineup.rig, station, self._bench)
         self._showing = Showing(self._following)
         self._first_look = FirstLook(self._following)
         self._put_right: set[str] = set()
         self._sensors = SensorWatch(self._lineup.station_id, self._following.above, intake.away, self._warnings.add)
-        self._counting = Counting(self._lineup.rig, hands.worker(), sink, teacher, self._warnings.add)
+        self._finishing = Finishing(self._lineup.rig, hands.worker(), self._warnings.add)
+        self._counting = counting
         self._perceived: queue.Queue[Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
         self._parted: queue.Queue[Leaving | None] = queue.Queue(FRUIT_AHEAD)
         self._weighings = Weighings(self._parted, self._bench)
-        self._subscription: Subscription | None = None
+        self._subscription: Arrivals | None = None
         self._threads: tuple[threading.Thread, ...] = ()
         self._latencies: deque[float] = deque(maxlen=LATENCIES)
         self._phase = Phase.STOPPED
@@ -99,7 +98,8 @@ class LiveLine:
 
     def start(self) -> None:
         """Start. Once only: make a new line to start again."""
-        self._subscription = self._feed.subscribe(self._intake.room, self._order)
+        order = ByCapture(self._lineup.offsets_s, self._intake.patience_s)
+        self._subscription = self._feed.subscribe(self._intake.room, order)
         self._phase = Phase.RUNNING
         self._bench.start()
         runs: tuple[tuple[str, Callable[[], None]], ...] = (
@@ -126,7 +126,7 @@ class LiveLine:
         if self._subscription is not None:
             self._subscription.close()
         if not self.wait(timeout_s):
-            self._counting.hurry()
+            self._finishing.hurry()
         self._bench.close()
         done = self.wait(HURRY_S)
         self._phase = Phase.STOPPED
@@ -171,7 +171,8 @@ class LiveLine:
     def warnings(self) -> tuple[LiveWarning, ...]:
         """What a person should know."""
         stale = self._following.stale.items()
-        return (*(LiveWarning("calibration_stale", text, names) for names, text in stale), *self._warnings.all())
+        bumped = (LiveWarning("calibration_stale", text, names) for names, text in stale)
+        return (*bumped, *self._warnings.all(), *self._counting.warnings)
 
     # The first thread: frames in order, perceived by helpers, or here where there are none.
 
@@ -259,11 +260,16 @@ class LiveLine:
             offset_s = self._first_look.offsets_s.get(name)
             if offset_s is not None and name not in self._put_right:
                 self._put_right.add(name)
-                self._order.shift({sensor: offset_s})
+                self._shift({sensor: offset_s})
                 text = f"The clock of sensor {name} is off by {offset_s:+.3f} s, judged by the fruit that both sensors "
                 self._warnings.add(
                     "clock_put_right", text + "saw; it was put right before any fruit was counted.", (name,)
                 )
+
+    def _shift(self, offsets_s: Mapping[str, float]) -> None:
+        """Let frames of sensors leave the queue as if their stamps were later by so much."""
+        if self._subscription is not None:
+            self._subscription.shift(offsets_s)
 
     def _look_on(self, leaving: list[Leaving], sensors: tuple[str, ...], draw: Callable[[], None]) -> None:
         """Watch by the fruit that left whether the rig was bumped, and draw."""
@@ -285,10 +291,13 @@ class LiveLine:
                 continue
             if weighing is None:
                 break
-            self._attempt(partial(self._counting.count, weighing))
+            self._attempt(partial(self._count, weighing))
         self._attempt(self._counting.retry)
         if self._phase is Phase.RUNNING:
             self._phase = Phase.ENDED
+
+    def _count(self, weighing: Weighing) -> None:
+        self._counting.count(self._finishing.finish(weighing), weighing.lot)
 
     def _attempt(self, count: Callable[[], None]) -> None:
         try:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Any
 
 from fruitgui.frame import Frame
 from fruitgui.perception.view import Observation
-from fruitgui.sensors.feed import Arrival, ByCapture
+from fruitgui.sensors.feed import Arrival
 from fruitgui.station.lineup import Lineup
 from fruitgui.station.live.bench import Bench
 from fruitgui.station.live.helper import HelperLostError, JobError, Look, Worker, attempted
@@ -39,18 +40,24 @@ class Perceiving:
         lineup: the sensors.
         bench: the helpers.
         worker: perceives where no helper does.
-        order: in which frames come; told where a clock leaps.
+        shift: told by how much a clock leapt, so that frames go on coming in order.
         clocks: watches for leaps.
         warnings: takes what a person should know.
     """
 
     def __init__(
-        self, lineup: Lineup, bench: Bench, worker: Worker, order: ByCapture, clocks: ClockWatch, warnings: Warnings
+        self,
+        lineup: Lineup,
+        bench: Bench,
+        worker: Worker,
+        shift: Callable[[Mapping[str, float]], None],
+        clocks: ClockWatch,
+        warnings: Warnings,
     ) -> None:
         self._lineup = lineup
         self._bench = bench
         self._worker = worker
-        self._order = order
+        self._shift = shift
         self._clocks = clocks
         self._warnings = warnings
         self._leaps_s = dict(lineup.offsets_s)
@@ -100,6 +107,6 @@ class Perceiving:
         leap_s = self._clocks.leap_s(sensor, self._time_s(arrival.frame), arrival.arrived_s)
         if leap_s:
             self._leaps_s[sensor] = self._leaps_s.get(sensor, 0.0) + leap_s
-            self._order.shift({sensor: leap_s})
+            self._shift({sensor: leap_s})
             text = f"The clock of sensor {sensor} leapt by {-leap_s:+.1f} s; it is followed on from there."
             self._warnings.add("clock_jumped", text, (sensor,))

@@ -288,6 +288,14 @@
         <translation>La línea sigue; si pasa a menudo, calibre de nuevo. El registro dice más.</translation>
     </message>
     <message>
+        <source>The line could not be started.</source>
+        <translation>No se pudo iniciar la línea.</translation>
+    </message>
+    <message>
+        <source>Close other programs and try again. The log says more.</source>
+        <translation>Cierre otros programas e inténtelo de nuevo. El registro dice más.</translation>
+    </message>
+    <message>
         <source>{file} is a video of an Azure Kinect&apos;s recorder, which cannot be read here.</source>
         <translation>{file} es un vídeo de la grabadora de Azure Kinect, que aquí no se puede leer.</translation>
     </message>

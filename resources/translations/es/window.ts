@@ -217,6 +217,22 @@
         <translation>Una fruta se siguió pero no se pudo contar.</translation>
     </message>
     <message>
+        <source>The line broke off and goes on; fruit that were in view may be missing.</source>
+        <translation>La línea se interrumpió y sigue; puede faltar la fruta que estaba a la vista.</translation>
+    </message>
+    <message>
+        <source>Nothing is to be done now. If this comes back, call for help.</source>
+        <translation>Ahora no hay nada que hacer. Si se repite, pida ayuda.</translation>
+    </message>
+    <message>
+        <source>The line broke off again and again: nothing is counted now.</source>
+        <translation>La línea se interrumpió una y otra vez: ahora no se cuenta nada.</translation>
+    </message>
+    <message>
+        <source>End the lot and start a new one. If this comes back, call for help.</source>
+        <translation>Termine el lote e inicie otro. Si se repite, pida ayuda.</translation>
+    </message>
+    <message>
         <source>Most fruit are unknown to the model: the light or the belt&apos;s colour may have changed since teaching.</source>
         <translation>El modelo no conoce la mayor parte de la fruta: la luz o el color de la cinta pueden ser otros que al enseñar.</translation>
     </message>

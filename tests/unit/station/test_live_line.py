@@ -109,7 +109,7 @@ def running(line: LiveLine, feed: Feed) -> Iterator[None]:
 def line_of(*sensors: Sensor, lot: int | None = 1, intake: Intake = FLAT_OUT) -> tuple[LiveLine, Feed, MemorySink]:
     feed, sink = Feed(sensors), MemorySink()
     names = [sensor.info.sensor for sensor in sensors]
-    return LiveLine(feed, station(*names), None, BufferedSink(sink), lot, intake), feed, sink
+    return LiveLine(feed, station(*names), None, Counting(BufferedSink(sink)), lot, intake), feed, sink
 
 
 def balls_in(line: LiveLine) -> set[int]:
@@ -273,7 +273,7 @@ def test_while_the_disk_is_full_nothing_is_counted_and_then_everything_is() -> N
 def test_between_lots_fruit_pass_uncounted_and_are_taught_all_the_same() -> None:
     left, told = Small("left", passing("left")), list[Finished]()
     feed, sink = Feed([left]), MemorySink()
-    line = LiveLine(feed, station("left"), None, BufferedSink(sink), None, FLAT_OUT, told.append)
+    line = LiveLine(feed, station("left"), None, Counting(BufferedSink(sink), told.append), None, FLAT_OUT)
     with running(line, feed):
         left.end()
         assert line.wait(60.0)
@@ -329,7 +329,7 @@ def test_what_only_a_dead_sensor_sees_is_said_to_be_blind_until_it_is_back() -> 
     beside = {name: StationSensor(f"S-{name}", pose, SURFACE) for name, pose in zip(names, poses, strict=True)}
     feed, sink = Feed([left, right]), MemorySink()
     belt = Station("left", beside, np.array([SPEED_M_S, 0.0, 0.0]))
-    line = LiveLine(feed, belt, None, BufferedSink(sink), 1, LIVE)
+    line = LiveLine(feed, belt, None, Counting(BufferedSink(sink)), 1, LIVE)
     with running(line, feed):
         until(lambda: all(feed.health(name).frames > 3 for name in names), 60.0)
         until(lambda: line.state.blind is None, 60.0)
@@ -431,7 +431,7 @@ def test_sensors_are_known_by_serial_and_depth_is_put_right() -> None:
     sensor = NamedSensor(Small("left", frames), "other")
     feed, sink = Feed([sensor]), MemorySink()
     nearer = station("left", correction=DepthCorrection(scale=1.25))
-    line = LiveLine(feed, nearer, None, BufferedSink(sink), 1, FLAT_OUT)
+    line = LiveLine(feed, nearer, None, Counting(BufferedSink(sink)), 1, FLAT_OUT)
     with running(line, feed):
         until(lambda: line.state.frames == len(frames), 60.0)
         assert line.previews["other"].station_id == "left"

@@ -14,14 +14,12 @@ from hypothesis import strategies as st
 from fruitgui.classification.evidence import UNKNOWN, Evidence, KindVote
 from fruitgui.geometry.rig import Rig
 from fruitgui.station.judging import NOBODY_SAYS, Judgement
-from fruitgui.station.live.counting import Counting
+from fruitgui.station.live.finishing import Finishing
 from fruitgui.station.live.following import Parted
 from fruitgui.station.live.weighing import Weighing
 from fruitgui.station.unknowns import LAST_FRUIT, LEAST_FRUIT, UnknownWatch, mostly_unknown, unknown_warnings
-from fruitgui.station.waiting import BufferedSink
 from fruitgui.tracking.track import Track
 from tests.unit.station.fruit_made import made_fruit
-from tests.unit.station.memory_sink import MemorySink
 
 LOT = 1
 
@@ -88,7 +86,7 @@ class Counted:
     def __init__(self) -> None:
         self.said: list[str] = []
         rig, worker = cast("Rig", None), cast("Any", None)
-        self._counting = Counting(rig, worker, BufferedSink(MemorySink()), None, self._warn)
+        self._finishing = Finishing(rig, worker, self._warn)
 
     def _warn(self, code: str, text: str, sensors: tuple[str, ...]) -> None:
         assert text
@@ -101,7 +99,7 @@ class Counted:
             done: Future[Any] = Future()
             done.set_result(Judgement(vote, like.size, NO_VIEW, like.volume_m3, None))
             track = Track(number, (), like.path, np.zeros(3))
-            self._counting.count(Weighing(Parted(track, ()), lot, done))
+            self._finishing.finish(Weighing(Parted(track, ()), lot, done))
 
 
 NO_VIEW = Evidence(np.zeros((1, 1), np.float32), np.zeros(1))

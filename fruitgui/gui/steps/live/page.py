@@ -193,23 +193,24 @@ class LivePage(StepPage):
             picture.show_overlays(chosen)
 
     def _draw_next(self) -> None:
-        """Draw the next sensor's picture, or after the last of them the next part."""
-        feed, pictures = self._session.connected.feed, self.body.pictures.pictures
-        self._turn = (self._turn + 1) % (len(pictures) + 1)
-        if self._turn < len(pictures) and feed is not None:
-            self._draw_picture(feed, list(pictures)[self._turn])
+        """Draw the next sensor's picture, or after the last the next part; old pictures give their turn away."""
+        feed, names = self._session.connected.feed, list(self.body.pictures.pictures)
+        self._turn = (self._turn + 1) % (len(names) + 1)
+        if self._turn < len(names) and feed is not None:
+            any(self._draw_picture(feed, sensor) for sensor in (*names[self._turn :], *names[: self._turn]))
         elif self._running.running:
             self._part = (self._part + 1) % len(self._parts)
             self._parts[self._part]()
 
-    def _draw_picture(self, feed: Feed, sensor: str) -> None:
-        """Draw a sensor's newest picture, with what the line saw in it where it runs."""
+    def _draw_picture(self, feed: Feed, sensor: str) -> bool:
+        """Draw a sensor's newest picture, with what the line saw in it where it runs; return whether it is new."""
         preview = self._running.previews.get(sensor) or plain_preview(feed, sensor)
         well = self._session.connected.health.get(sensor)
         if preview is None or self._drawn.get(sensor) == (preview.sequence, preview.fruit, well):
-            return
+            return False
         self._drawn[sensor] = (preview.sequence, preview.fruit, well)
         self.body.pictures.pictures[sensor].show_picture(presenter.drawn_picture(preview, self._marks, well))
+        return True
 
     def _draw_parts(self) -> None:
         """Draw everything but the pictures, at once."""

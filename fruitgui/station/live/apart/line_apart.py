@@ -1,0 +1,334 @@
+"""A line in a process of its own, as its owner and a screen see it."""
+
+from __future__ import annotations
+
+import contextlib
+import queue
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from multiprocessing.shared_memory import SharedMemory
+from typing import Any
+
+from fruitgui.errors import FruitguiError, WorldError
+from fruitgui.frame import U8
+from fruitgui.sensors.feed import Arrival, Feed, Subscription
+from fruitgui.station.lineup import line_up
+from fruitgui.station.live.apart.messages import Drawn, Ended, Made, NotMade, Out, Pictured, Shifted, Start, Taken
+from fruitgui.station.live.apart.process import PLACES, LineProcess, place_bytes
+from fruitgui.station.live.counting import Counting
+from fruitgui.station.live.intake import LIVE, Intake
+from fruitgui.station.live.live_line import FRUIT_AHEAD, HURRY_S, RETRY_S, STOP_S, TAKE_S
+from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
+from fruitgui.station.live.warnings import Warnings
+from fruitgui.station.model import Model
+from fruitgui.station.station import Station
+
+BEGIN_S = 60.0
+"""A process that has not begun by then never will."""
+
+KEPT_COLORS = 32
+"""Pictures kept here until the line says what is in them; so many are on their way at most."""
+
+GONE_S = 0.02
+"""Between two tries to hand a frame to a line that is being begun again."""
+
+MOST_BEGUN_AGAIN = 3
+"""A line whose process ended so often is not begun again: something is wrong that goes on."""
+
+
+class LineApart:
+    """Does what `LiveLine` does, in another process: no Python of the line's keeps the window waiting.
+
+    Sensors are read here, and fruit are kept here: what was given back is durable whatever becomes of the process. One
+    that ends unasked is begun again, and it is said; fruit that were in view then may be missing.
+
+    Args:
+        feed: runs the sensors; started and stopped by its own owner.
+        station: that the sensors belong to.
+        model: names and corrects; without one every kind is `unknown`.
+        counting: keeps finished fruit and counts them.
+        lot: into which fruit are counted; None lets them pass uncounted.
+        intake: how frames get in.
+
+    Raises:
+        InputError: the station has none of the sensors.
+    """
+
+    def __init__(
+        self,
+        feed: Feed,
+        station: Station,
+        model: Model | None,
+        counting: Counting,
+        lot: int | None = None,
+        intake: Intake = LIVE,
+    ) -> None:
+        line_up(station, feed.infos.values())  # raises here, and not in the process, what a person can do nothing about
+        self._feed = feed
+        self._station = station
+        self._model = model
+        self._counting = counting
+        self._lot = lot
+        self._intake = intake
+        self._warnings = Warnings()
+        self._phase = Phase.STOPPED
+        self._drawn = LiveState(Phase.STOPPED)
+        self._colors: deque[tuple[str, float, U8]] = deque(maxlen=KEPT_COLORS)
+        self._previews: dict[str, Preview] = {}
+        self._out: queue.Queue[Out | None] = queue.Queue(FRUIT_AHEAD)
+        self._memory: SharedMemory | None = None
+        self._process: LineProcess | None = None
+        self._subscription: Subscription | None = None
+        self._begun = threading.Event()
+        self._why_not: FruitguiError | None = None
+        self._done = False
+        self._begun_again = 0
+        self._ended = self._gave_all = self._over = False
+        self._until_s: float | None = None
+        self._told_s = 0.0
+        self._threads: tuple[threading.Thread, ...] = ()
+
+    def start(self) -> None:
+        """Start, and wait until the line is there. Once only.
+
+        Raises:
+            WorldError: there is no process to be had.
+            FruitguiError: the line cannot be made.
+        """
+        pixels = max(info.intrinsics.width * info.intrinsics.height for info in self._feed.infos.values())
+        self._phase = Phase.RUNNING
+        try:
+            self._memory = SharedMemory(create=True, size=PLACES * place_bytes(pixels))
+            self._begin(place_bytes(pixels))
+        except OSError as error:
+            self._give_back()
+            raise _not_started(str(error)) from error
+        runs = (("line gives", self._give_all), ("line hears", self._hear_all), ("line counts", self._count_all))
+        self._threads = tuple(threading.Thread(target=run, name=name, daemon=True) for name, run in runs)
+        for thread in self._threads:
+            thread.start()
+        if not self._begun.wait(BEGIN_S) or self._why_not is not None:
+            self.stop(0.0)
+            raise self._why_not or _not_started("its process did not begin")
+
+    def count_into(self, lot: int | None) -> None:
+        """Count fruit that leave from now on into a lot; None lets them pass uncounted: a pause."""
+        self._lot = lot
+
+    def stop(self, timeout_s: float = STOP_S) -> bool:
+        """Stop: what waits is followed, what is in view is counted. Return whether all of it was.
+
+        Args:
+            timeout_s: fruit that are not measured by then are sized roughly, within some three seconds more.
+        """
+        if self._phase is Phase.RUNNING:
+            self._phase = Phase.STOPPING
+        self._until_s = time.monotonic() + timeout_s
+        if self._subscription is not None:
+            self._subscription.close()
+        process = self._process
+        if process is None:
+            self._phase = Phase.STOPPED
+            return True
+        process.stop(self._until_s, self._lot)
+        self.wait(timeout_s + HURRY_S)
+        self._over = True
+        process.close()
+        done = self.wait(HURRY_S) and self._done
+        self._phase = Phase.STOPPED
+        self._give_back()
+        return done
+
+    def wait(self, timeout_s: float) -> bool:
+        """Wait until the line has ended by itself (its recordings are over); return whether it has."""
+        until_s = time.monotonic() + timeout_s
+        for thread in self._threads:
+            thread.join(max(until_s - time.monotonic(), 0.0))
+        return not any(thread.is_alive() for thread in self._threads)
+
+    @property
+    def state(self) -> LiveState:
+        """How the line is: what is in view as of the last observation, everything else as of now."""
+        drawn, subscription, sink = self._drawn, self._subscription, self._counting.sink_state
+        return replace(
+            drawn,
+            phase=self._phase,
+            lot=self._lot,
+            totals=self._counting.totals,
+            last=self._counting.last,
+            health=tuple(self._feed.health(sensor) for sensor in self._feed.sensors),
+            backlog=drawn.backlog + (subscription.waiting if subscription else 0),
+            waiting_fruit=drawn.waiting_fruit + self._out.qsize() + sink.waiting,
+            dropped=subscription.dropped if subscription else {},
+            sink=sink,
+            warnings=self.warnings,
+        )
+
+    @property
+    def previews(self) -> dict[str, Preview]:
+        """The newest picture of each sensor, by its id in the feed."""
+        return dict(self._previews)
+
+    @property
+    def warnings(self) -> tuple[LiveWarning, ...]:
+        """What a person should know."""
+        return (*self._drawn.warnings, *self._counting.warnings, *self._warnings.all())
+
+    @property
+    def pid(self) -> int | None:
+        """Of the line's process; None before it was started."""
+        return None if self._process is None else self._process.pid
+
+    def _begin(self, bytes_of_a_place: int) -> None:
+        """Begin a process; raises `OSError` where there is none to be had."""
+        memory = self._memory
+        assert memory is not None  # noqa: S101 - made before
+        feed = self._feed
+        healths = tuple(feed.health(sensor) for sensor in feed.sensors)
+        process = LineProcess(memory, bytes_of_a_place)
+        process.begin(
+            Start(feed.infos, healths, self._station, self._model, self._intake, memory.name, bytes_of_a_place)
+        )
+        self._process = process
+
+    def _give_back(self) -> None:
+        """Give the shared memory back."""
+        memory, self._memory = self._memory, None
+        if memory is not None:
+            memory.close()
+            with contextlib.suppress(FileNotFoundError):  # swept away by someone else
+                memory.unlink()
+
+    # The first thread: frames, in order of capture, to the line.
+
+    def _give_all(self) -> None:
+        self._begun.wait()
+        subscription = self._subscription
+        if subscription is None:
+            return
+        while not subscription.over and not self._over:
+            arrival = subscription.take(TAKE_S)
+            self._tell_healths()
+            if arrival is not None:
+                self._colors.append((arrival.frame.sensor, arrival.frame.time_s, arrival.frame.color))
+                self._give(arrival)
+        self._gave_all = True
+        if self._process is not None:
+            self._process.no_more()
+
+    def _tell_healths(self) -> None:
+        """Say now and then how the sensors are."""
+        now_s = time.monotonic()
+        if now_s - self._told_s >= TAKE_S and self._process is not None:
+            self._told_s = now_s
+            self._process.tell(tuple(self._feed.health(sensor) for sensor in self._feed.sensors))
+
+    def _give(self, arrival: Arrival) -> None:
+        """Give a frame to the line, once there is one."""
+        while not self._over:
+            process = self._process
+            if process is not None and process.give(arrival, self._lot):
+                return
+            time.sleep(GONE_S)
+
+    # The second thread: what the line says.
+
+    def _hear_all(self) -> None:
+        try:
+            while (process := self._process) is not None:
+                for message in process.heard():
+                    self._hear(process, message)
+                process.close()
+                if self._ended or not self._begun_once_more():
+                    break
+        finally:
+            self._over = True
+            self._begun.set()
+            self._out.put(None)
+
+    def _hear(self, process: LineProcess, message: Any) -> None:  # noqa: ANN401 - one of the messages
+        match message:
+            case Taken():
+                process.free(message.place)
+            case Drawn():
+                self._drawn = message.state
+            case Pictured():
+                self._show(message)
+            case Out():
+                self._out.put(message)
+            case Shifted() if self._subscription is not None:
+                self._subscription.shift(message.offsets_s)
+            case Made():
+                self._meet(process, message)
+            case NotMade():
+                self._why_not, self._ended = message.why, True
+            case Ended():
+                self._done, self._ended = message.done, True
+
+    def _meet(self, process: LineProcess, made: Made) -> None:
+        """Give a line that is there what it wants, and tell it what was said before."""
+        if self._subscription is None:
+            self._subscription = self._feed.subscribe(made.room, made.order)
+            self._begun.set()
+        if self._gave_all:
+            process.no_more()
+        if self._until_s is not None:
+            process.stop(self._until_s, self._lot)
+
+    def _show(self, pictured: Pictured) -> None:
+        """Give new pictures their colours, which never left."""
+        for one in pictured.previews:
+            for sensor, time_s, color in reversed(self._colors.copy()):
+                if sensor == one.sensor and time_s == one.time_s:
+                    self._previews[sensor] = replace(one, color=color)
+                    break
+
+    def _begun_once_more(self) -> bool:
+        """Begin another process where one ended unasked; return whether there is one."""
+        if self._until_s is not None or self._subscription is None:
+            return False
+        self._begun_again += 1
+        room = 0 if self._memory is None else self._memory.size // PLACES
+        with contextlib.suppress(OSError):
+            if self._begun_again <= MOST_BEGUN_AGAIN:
+                self._begin(room)
+                text = "The line's process ended; another one goes on. Fruit that were in view then may be missing."
+                self._warnings.add("line_begun_again", text, ())
+                return True
+        text = "The line's process ended again and again; nothing is counted any more. End the lot and start it again."
+        self._warnings.add("line_lost", text, ())
+        return False
+
+    # The third thread: fruit kept, counted.
+
+    def _count_all(self) -> None:
+        while True:
+            try:
+                out = self._out.get(timeout=RETRY_S)
+            except queue.Empty:
+                self._attempt(self._counting.retry)
+                continue
+            if out is None:
+                break
+            self._attempt(partial(self._counting.count, out.finished, out.lot))
+        self._attempt(self._counting.retry)
+        if self._phase is Phase.RUNNING:
+            self._phase = Phase.ENDED
+
+    def _attempt(self, count: Callable[[], None]) -> None:
+        try:
+            count()
+        except Exception as error:  # noqa: BLE001 - one fruit must not end the line; it is said
+            self._warnings.add("fruit_not_counted", f"A fruit was followed but could not be counted: {error}", ())
+
+
+def _not_started(why: str) -> WorldError:
+    return WorldError(
+        "line_not_started",
+        f"The line could not be started: {why}.",
+        "Close other programs and try again.",
+    )

@@ -1,0 +1,126 @@
+"""One process that a line runs in, seen from the window's process."""
+
+from __future__ import annotations
+
+import atexit
+import multiprocessing
+import queue
+import threading
+from collections.abc import Iterator
+from multiprocessing.connection import Connection
+from multiprocessing.shared_memory import SharedMemory
+from typing import Any
+
+from fruitgui.progress import deaf_children
+from fruitgui.sensors.feed import Arrival, SensorHealth
+from fruitgui.sensors.frame_memory import BYTES_PER_PIXEL, lay
+from fruitgui.station.live.apart.inside import run_line
+from fruitgui.station.live.apart.messages import Healths, NoMore, Start, Stop, given
+from fruitgui.station.live.parcels import receive, send
+
+PLACES = 4
+"""Frames that lie between the two: the line has the next one while another is laid down."""
+
+LEAVE_S = 2.0
+
+
+def place_bytes(pixels: int) -> int:
+    """Return how much memory a frame of so many pixels takes."""
+    return BYTES_PER_PIXEL * pixels
+
+
+class LineProcess:
+    """Runs a line from `begin` to `close`; one thread gives, one hears, any may say stop.
+
+    Args:
+        memory: that frames are laid into; its owner gives it back.
+        room: from one frame's place in it to the next, bytes.
+    """
+
+    def __init__(self, memory: SharedMemory, room: int) -> None:
+        self._memory = memory
+        self._room = room
+        self._places: queue.SimpleQueue[int | None] = queue.SimpleQueue()
+        for place in range(PLACES):
+            self._places.put(place)
+        self._lock = threading.Lock()
+        self._gone = False
+        self._pipe: Connection | None = None
+        self._process: Any = None
+
+    def begin(self, start: Start) -> None:
+        """Start the process. Raises `OSError` where there is none to be had."""
+        context = multiprocessing.get_context("spawn")
+        self._pipe, theirs = context.Pipe()
+        # Not a daemon, which could have no helpers; so it is not ended by itself when the program ends in a hurry.
+        atexit.register(self.close)
+        self._process = context.Process(target=run_line, args=(start, theirs), name="line")
+        with deaf_children():
+            self._process.start()
+        theirs.close()
+
+    def give(self, arrival: Arrival, lot: int | None) -> bool:
+        """Hand a frame over, as soon as there is a place; return whether there was a line to take it."""
+        place = self._places.get()
+        if place is None:
+            self._places.put(None)
+            return False
+        lay(arrival.frame, self._memory, place * self._room)
+        return self._say(given(arrival, place, lot))
+
+    def tell(self, healths: tuple[SensorHealth, ...]) -> None:
+        """Say how the sensors are."""
+        self._say(Healths(healths))
+
+    def no_more(self) -> None:
+        """Say that no frame will come."""
+        self._say(NoMore())
+
+    def stop(self, until_s: float, lot: int | None) -> None:
+        """Say that the line is to end."""
+        self._say(Stop(until_s, lot))
+
+    def free(self, place: int) -> None:
+        """Take back a place."""
+        self._places.put(place)
+
+    def heard(self) -> Iterator[Any]:
+        """Give what the line says, one thing after the other, until its process is gone."""
+        pipe = self._pipe
+        assert pipe is not None  # noqa: S101 - opened when the process was started
+        try:
+            while True:
+                yield receive(pipe)
+        except (EOFError, OSError):
+            self._gone = True
+            self._places.put(None)
+        finally:
+            pipe.close()
+
+    def close(self) -> None:
+        """End the process, whatever it does. Any number of times."""
+        atexit.unregister(self.close)
+        self._gone = True
+        self._places.put(None)
+        process = self._process
+        if process is not None and process.pid is not None:
+            process.join(0.0)
+            if process.is_alive():
+                process.kill()
+            process.join(LEAVE_S)
+
+    @property
+    def pid(self) -> int | None:
+        """Of the process; None before it was started."""
+        return None if self._process is None else self._process.pid
+
+    def _say(self, message: object) -> bool:
+        pipe = self._pipe
+        if pipe is None or self._gone:
+            return False
+        try:
+            with self._lock:
+                send(pipe, message)
+        except OSError:
+            return False
+        return True
