@@ -15,6 +15,7 @@ from fruitgui.gui.theme.tokens import GRID
 
 SHOWN_MS = 8000
 ICON_PX = 24
+STEPS = 1000
 _COLOURS = {Level.INFO: "text_dim", Level.GOOD: "good", Level.WARN: "warn", Level.BAD: "bad"}
 
 
@@ -104,7 +105,7 @@ class ActionBar(QWidget):
         self._detail.setProperty("role", "dim")
         self._icon.setFixedSize(ICON_PX, ICON_PX)
         self._bar.setTextVisible(False)
-        self._bar.setRange(0, 1000)
+        self._bar.setRange(0, STEPS)
         for button in (self._do, self._close, self._cancel):
             button.setProperty("role", "quiet")
         words = QVBoxLayout()
@@ -163,9 +164,14 @@ class ActionBar(QWidget):
         self._show()
 
     def show_task(self, task: Task[object]) -> None:
-        """Show a job's progress until it ends."""
+        """Show a job's progress until it ends, or another one is shown."""
+        if self._task is task:
+            return
+        if self._task is not None:
+            self._task.progressed.disconnect(self._show_progress)
+            self._task.ended.disconnect(self._task_ended)
         self._task = task
-        self._bar.setValue(0)
+        self._bar.setValue(round(task.share * STEPS))
         task.progressed.connect(self._show_progress)
         task.ended.connect(self._task_ended)
         self._show()
@@ -206,7 +212,7 @@ class ActionBar(QWidget):
         self._icon.setAccessibleName(self._level_word(level))
         remedy = "" if message is None else message.remedy
         self._detail.setVisible(bool(remedy) or (busy and message is None))
-        self._detail.setText(remedy or self._detail.text() if busy else remedy)
+        self._detail.setText(self._doing() if message is None else remedy)
         self._bar.setVisible(busy)
         self._cancel.setVisible(busy)
         self._close.setVisible(message is not None and message.stays)
@@ -234,19 +240,25 @@ class ActionBar(QWidget):
             button = self._buttons[action] = ActionButton(action, self._theme, main=main, parent=self)
         return button
 
-    def _show_progress(self, share: float, doing: str) -> None:
-        self._bar.setValue(round(share * 1000))
-        self._detail.setText(doing)
+    def _show_progress(self, share: float, _doing: str) -> None:
+        self._bar.setValue(round(share * STEPS))
+        if self._message is None:  # else its remedy stands there
+            self._detail.setText(self._doing())
+
+    def _doing(self) -> str:
+        """Return what the job that runs is at."""
+        if self._task is None:
+            return ""
+        return self.tr("Stopping …") if self._task.stopping else self._task.doing
 
     def _task_ended(self) -> None:
         self._task = None
-        self._detail.setText("")
         self._show()
 
     def _cancel_task(self) -> None:
         if self._task is not None:
             self._task.cancel()
-            self._detail.setText(self.tr("Stopping …"))
+            self._show()
 
     def _act(self) -> None:
         shown = self._message or self._standing

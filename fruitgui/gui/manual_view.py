@@ -26,6 +26,7 @@ from PySide6.QtWidgets import QTextBrowser, QWidget
 
 from fruitgui.gui.theme.theme import FAMILY, Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.reach import scrolled_by_finger
 
 WIDEST_PICTURE = 760
 """Pixels."""
@@ -56,6 +57,7 @@ class ManualView(QTextBrowser):
         self.setProperty("role", "manual")
         self.setOpenExternalLinks(True)
         self.setAccessibleName(self.tr("Manual"))
+        scrolled_by_finger(self)
         theme.changed.connect(self._set_anew)
 
     def show_page(self, page: Path) -> None:

@@ -28,7 +28,9 @@ def sensors_pill(health: Mapping[str, SensorHealth]) -> Pill:
     missing = [name for name in health if name not in well]
     text = QCoreApplication.translate("Health", "{well}/{all} sensors").format(well=len(well), all=len(health))
     if not missing:
-        return Pill("sensors", "camera", text, "good")
+        return Pill(
+            "sensors", "camera", text, "good", QCoreApplication.translate("Health", "All sensors give pictures.")
+        )
     if all(health[name].state is Running.STARTING for name in missing):
         return Pill("sensors", "camera", text, "", QCoreApplication.translate("Health", "The sensors are starting."))
     tip = QCoreApplication.translate("Health", "No pictures from {sensors}; its part of the belt is not seen.")

@@ -5,20 +5,25 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFont, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QSizePolicy, QVBoxLayout, QWidget
 
 from fruitgui.gui.step_words import reason_text, state_name, step_name
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RAIL
+from fruitgui.gui.widgets.focus import paint_focus
 from fruitgui.station.workflow import State, Step, StepState
 
 HEIGHT = 68
 ICON_PX = 26
 MARK_PX = 20
+
+MOST_ROWS = 4
+"""Of a reason: so that all seven steps are in view in the least window though four of them are to be done again."""
+
 MARKS = {State.TO_DO: "ring", State.READY: "ready", State.DONE: "done", State.REDO: "redo_step"}
-_COLOURS = {State.TO_DO: "line", State.READY: "accent", State.DONE: "good", State.REDO: "warn"}
+COLOURS = {State.TO_DO: "edge", State.READY: "accent", State.DONE: "good", State.REDO: "warn"}
 
 
 class StepButton(QAbstractButton):
@@ -43,16 +48,18 @@ class StepButton(QAbstractButton):
         if state != self._state:
             self._state = state
             self._name()
+            self.updateGeometry()
             self.update()
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Return the size that it wants."""
-        return QSize(RAIL, HEIGHT)
+        return QSize(RAIL, HEIGHT + round(self._reason_height()))
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
         if event.type() == QEvent.Type.LanguageChange:
             self._name()
+            self.updateGeometry()
         super().changeEvent(event)
 
     def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
@@ -62,7 +69,7 @@ class StepButton(QAbstractButton):
             self._paint_ground(painter)
             theme, here = self._theme, self.isChecked()
             text = theme.colour("text" if here or self._state.state is not State.TO_DO else "text_dim")
-            middle = self.height() / 2
+            middle = HEIGHT / 2
             place = QRectF(2.5 * GRID, middle - ICON_PX / 2, ICON_PX, ICON_PX)
             icons.paint(painter, place, self.step.value, theme.colour("accent") if here else text)
             left = place.right() + 1.5 * GRID
@@ -77,8 +84,31 @@ class StepButton(QAbstractButton):
                 QRectF(left, middle + 2, width, middle), Qt.AlignmentFlag.AlignLeft, state_name(self._state)
             )
             mark = QRectF(self.width() - MARK_PX - 1.5 * GRID, middle - MARK_PX / 2, MARK_PX, MARK_PX)
-            icons.paint(painter, mark, MARKS[self._state.state], theme.colour(_COLOURS[self._state.state]),
+            icons.paint(painter, mark, MARKS[self._state.state], theme.colour(COLOURS[self._state.state]),
                         theme.colour("surface"))  # fmt: skip
+            self._paint_reason(painter)
+
+    def _reason(self) -> str:
+        """Return why it is to be done again; the others' reasons can wait until one goes there."""
+        return reason_text(self._state) if self._state.state is State.REDO else ""
+
+    def _reason_height(self) -> float:
+        if not self._reason():
+            return 0.0
+        metrics = QFontMetricsF(self._theme.font("small"))
+        room = QRectF(0, 0, RAIL - 2.5 * GRID - 2 * GRID, 1e4)
+        high = metrics.boundingRect(room, int(Qt.TextFlag.TextWordWrap), self._reason()).height()
+        return min(high, MOST_ROWS * metrics.lineSpacing()) + GRID / 2
+
+    def _paint_reason(self, painter: QPainter) -> None:
+        """Write the reason below, as much of it as goes into a few rows; the tooltip has all of it."""
+        if not self._reason():
+            return
+        room = QRectF(2.5 * GRID, HEIGHT - 1.5 * GRID, self.width() - 4.5 * GRID, self._reason_height())
+        painter.setPen(self._theme.colour("text"))
+        painter.setFont(self._theme.font("small"))
+        painter.setClipRect(room)
+        painter.drawText(room, int(Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap), self._reason())
 
     def _paint_ground(self, painter: QPainter) -> None:
         theme = self._theme
@@ -91,9 +121,7 @@ class StepButton(QAbstractButton):
             painter.setBrush(theme.colour("accent"))
             painter.drawRoundedRect(QRectF(0, card.top() + GRID, 4, card.height() - 2 * GRID), 2, 2)
         if self.hasFocus():
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(theme.colour("accent"), 2))
-            painter.drawRoundedRect(card.adjusted(1, 1, -1, -1), GRID, GRID)
+            paint_focus(painter, card, GRID, theme)
 
     def _name(self) -> None:
         number = list(Step).index(self.step) + 1

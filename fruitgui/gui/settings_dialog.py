@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -18,6 +17,7 @@ from fruitgui.gui.numbers import THIN
 from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.translate import LANGUAGES
 from fruitgui.gui.widgets.cards import label, set_health
+from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.decimal_box import DecimalBox
 from fruitgui.gui.widgets.keeping_time import KeepingTime, shorter
 from fruitgui.station.settings import Settings
@@ -34,7 +34,7 @@ class SettingsDialog(QDialog):
     def __init__(self, settings: Settings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._settings = settings
-        self.language, self.theme = QComboBox(), QComboBox()
+        self.language, self.theme = ChoiceBox(), ChoiceBox()
         self.pictures, self.free_gb = KeepingTime(settings.crops_kept_days), DecimalBox()
         self.gone = self._note("")
         self._fill()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui.connected import Connected
@@ -21,6 +21,9 @@ from fruitgui.station.sources import Source, Sources
 
 LOOK_MS = 1000
 """How often devices that fell away are looked for."""
+
+STOPPING, OPENING = "stopping", "opening"
+"""What of connecting is being done."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -115,8 +118,8 @@ class SourceRunner(QObject):
             return
         before = self._connected.release()
         self._rig = None
-        words = (self.tr("Stopping the sensors that ran before"), self.tr("Opening the source"))
-        self._task = self._tasks.run(lambda: self.tr("Connecting the sensors"), _job(before, source, connection, words))
+        job = _job(before, source, connection)
+        self._task = self._tasks.run(lambda: self.tr("Connecting the sensors"), job, _doing_words)
         self._task.succeeded.connect(self._run)
         self._task.failed.connect(self._fail)
         self._task.ended.connect(self._end)
@@ -140,18 +143,24 @@ class SourceRunner(QObject):
         self.changed.emit()
 
 
+def _doing_words(doing: str) -> str:
+    return {
+        STOPPING: QCoreApplication.translate("SourceRunner", "Stopping the sensors that ran before"),
+        OPENING: QCoreApplication.translate("SourceRunner", "Opening the source"),
+    }.get(doing, doing)
+
+
 def _job(
     before: Feed | None,
     source: Callable[[], Source],
     connection: Callable[[Found], Connection],
-    words: tuple[str, str],
 ) -> Job[Opened]:
     def opened(progress: Progress, cancelled: Cancelled) -> Opened:
         if before is not None:
-            progress(0.1, words[0])
+            progress(0.1, STOPPING)
             before.stop()
         stop_if(cancelled)
-        progress(0.5, words[1])
+        progress(0.5, OPENING)
         found = source().connect()
         return Opened(found, connection(found))
 

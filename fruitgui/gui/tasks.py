@@ -22,6 +22,11 @@ END_S = 5.0
 log = logging.getLogger(__name__)
 
 
+def as_said(doing: str) -> str:
+    """Return what a job says of its progress as it is: a name, which is the same in every language."""
+    return doing
+
+
 class Job(Protocol[T_co]):
     """A plain function of the core."""
 
@@ -34,7 +39,7 @@ class Task(QObject, Generic[T]):
 
     Attributes:
         name: what is being done, in the language in force.
-        progressed: share done (0–1) and what is being done, when either changed.
+        progressed: share done (0–1) and what is being done, worded, when either changed.
         succeeded: the result.
         failed: a `FruitguiError`.
         cancelled: the person stopped it.
@@ -47,10 +52,13 @@ class Task(QObject, Generic[T]):
     cancelled = Signal()
     ended = Signal()
 
-    def __init__(self, name: Words, job: Job[T], parent: QObject | None = None) -> None:
+    def __init__(
+        self, name: Words, job: Job[T], parent: QObject | None = None, worded: Callable[[str], str] = as_said
+    ) -> None:
         super().__init__(parent)
         self.name = name
         self._job = job
+        self._worded = worded
         self._stop = threading.Event()
         self._told: tuple[float, str] = (0.0, "")
         self._shown: tuple[float, str] = (0.0, "")
@@ -64,6 +72,16 @@ class Task(QObject, Generic[T]):
     def running(self) -> bool:
         """Whether it has not ended yet."""
         return self._look.isActive()
+
+    @property
+    def share(self) -> float:
+        """How far it is, 0–1."""
+        return self._shown[0]
+
+    @property
+    def doing(self) -> str:
+        """What of it is being done, in the language in force."""
+        return self._worded(self._shown[1])
 
     @property
     def over(self) -> bool:
@@ -118,7 +136,7 @@ class Task(QObject, Generic[T]):
     def _watch(self) -> None:
         if self._told != self._shown:
             self._shown = self._told
-            self.progressed.emit(*self._shown)
+            self.progressed.emit(self._shown[0], self.doing)
         if self._outcome is None or self._thread.is_alive():
             return
         self._look.stop()
@@ -157,15 +175,16 @@ class TaskRunner(QObject):
         """The tasks that have not ended."""
         return tuple(self._tasks)
 
-    def run(self, name: Words, job: Job[T]) -> Task[T]:
+    def run(self, name: Words, job: Job[T], worded: Callable[[str], str] = as_said) -> Task[T]:
         """Make a task and start it as soon as the caller has connected to it.
 
         Args:
             name: what is being done; asked for on any thread, and as long as the task lives, so it should hold no
                 object that goes before.
             job: does it.
+            worded: puts what the job says of its progress into the language in force.
         """
-        task: Task[T] = Task(name, job, self)
+        task: Task[T] = Task(name, job, self, worded)
         if self._closed:
             task.abandon()
             return task

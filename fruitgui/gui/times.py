@@ -12,6 +12,12 @@ def moment_text(time_s: float) -> str:
     return _formatted(time_s, "d MMM yyyy HH:mm")
 
 
+def recent_text(time_s: float, now_s: float) -> str:
+    """Return a moment as day and time, with its year where that is not the present one."""
+    now, then = (QDateTime.fromSecsSinceEpoch(round(one)).date().year() for one in (now_s, time_s))
+    return _formatted(time_s, "d MMM HH:mm") if now == then else moment_text(time_s)
+
+
 def clock_text(time_s: float) -> str:
     """Return the time of day of a moment."""
     return _formatted(time_s, "HH:mm")

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QIcon, QPainter
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QToolTip, QVBoxLayout, QWidget
 
 from fruitgui.gui.theme import icons
+from fruitgui.gui.theme.stamps import drawn_pixmap
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+
+PILL_PX, PILL_GAP = 20, 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,12 +37,10 @@ class TopBar(QWidget):
     """Title, health pills, help, theme, settings.
 
     Attributes:
-        pill_pressed: name of the pill that the operator pressed.
         help_wanted, theme_wanted, settings_wanted: a button was pressed.
         words_wanted: the language is another; whoever shows pills says them anew.
     """
 
-    pill_pressed = Signal(str)
     help_wanted = Signal()
     theme_wanted = Signal()
     settings_wanted = Signal()
@@ -114,11 +117,16 @@ class TopBar(QWidget):
             button.deleteLater()
         self._pills = {pill.name: QToolButton(self) for pill in pills}
         self._icons = {}
-        for name, button in self._pills.items():
+        for button in self._pills.values():
             button.setProperty("role", "quiet")
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.clicked.connect(lambda _checked=False, name=name: self.pill_pressed.emit(name))
+            button.clicked.connect(partial(self._tell, button))
             self._pill_row.addWidget(button)
+
+    def _tell(self, button: QToolButton) -> None:
+        """Say the whole sentence at once: a finger and a keyboard have no pointer to rest on it."""
+        below = button.mapToGlobal(QPoint(0, button.height()))
+        QToolTip.showText(below, button.toolTip(), button)
 
     def _draw_pills(self) -> None:
         for pill in self._shown:
@@ -128,7 +136,21 @@ class TopBar(QWidget):
             button.setAccessibleName(pill.tip or pill.text)
             if self._icons.get(pill.name) != drawn:  # drawing one takes ten times as long as all else here
                 self._icons[pill.name] = drawn
-                button.setIcon(icons.icon(pill.icon, self._theme.colour(pill.health or "text_dim")))
+                self._draw_pill(button, pill)
+
+    def _draw_pill(self, button: QToolButton, pill: Pill) -> None:
+        """Draw what it is about, and where that is not well the sign of that beside it: not by colour alone."""
+        colour = self._theme.colour(pill.health or "text_dim")
+        signs = (pill.icon, pill.health) if pill.health in ("warn", "bad") else (pill.icon,)
+        ratio, width = self.devicePixelRatioF(), PILL_PX * len(signs) + PILL_GAP * (len(signs) - 1)
+
+        def paint(painter: QPainter) -> None:
+            for number, name in enumerate(signs):
+                place = QRectF(number * (PILL_PX + PILL_GAP), 0, PILL_PX, PILL_PX)
+                icons.paint(painter, place, name, colour)
+
+        button.setIcon(QIcon(drawn_pixmap(width, PILL_PX, ratio, paint)))
+        button.setIconSize(QSize(width, PILL_PX))
 
     def _draw(self) -> None:
         self._icons = {}

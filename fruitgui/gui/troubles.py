@@ -1,4 +1,4 @@
-"""What a lot remembers beside absences: a rig that was moved, clocks that leapt."""
+"""What a lot remembers beside absences: a rig that was moved, clocks that leapt, a model that knew few fruit."""
 
 from __future__ import annotations
 
@@ -9,6 +9,10 @@ from functools import partial
 from fruitgui.gui.queries import Queries
 from fruitgui.records.spells import Spells
 from fruitgui.station.live import LiveWarning
+
+LEAPT, UNKNOWN = "clock_jumped", "mostly_unknown"
+MOMENTS = (LEAPT, UNKNOWN)
+"""Warnings that are counted each time: what a lot keeps of them is when they came."""
 
 
 class Troubles:
@@ -23,29 +27,33 @@ class Troubles:
         self._queries = queries
         self._spells = spells
         self._moved: dict[int, tuple[str, ...]] = {}
-        self._leaps: Counter[tuple[str, ...]] = Counter()
+        self._seen: Counter[tuple[str, tuple[str, ...]]] = Counter()
 
     def note(self, lot: int, warnings: Sequence[LiveWarning]) -> None:
         """Note what is new in the warnings of a line that counts into a lot."""
         stale = {name for one in warnings if one.code == "calibration_stale" for name in one.sensors}
         self._note_moved(lot, tuple(sorted(stale)))
-        for sensors in self._leapt(warnings).elements():
-            self._queries.change(partial(self._spells.note_jump, lot, sensors), _nothing)
+        for code, sensors in self._new_moments(warnings).elements():
+            if code == LEAPT:
+                self._queries.change(partial(self._spells.note_jump, lot, sensors), _nothing)
+            else:
+                self._queries.change(partial(self._spells.note_unknown, lot), _nothing)
 
     def rest(self, lot: int, warnings: Sequence[LiveWarning]) -> None:
         """Note that nothing is counted into a lot now: what happens meanwhile is nothing to it."""
         self._note_moved(lot, ())
-        self._leapt(warnings)
+        self._new_moments(warnings)
 
     def _note_moved(self, lot: int, sensors: tuple[str, ...]) -> None:
         if sensors != self._moved.get(lot, ()):
             self._moved = {lot: sensors}
             self._queries.change(partial(self._spells.note_moved, lot, sensors), _nothing)
 
-    def _leapt(self, warnings: Sequence[LiveWarning]) -> Counter[tuple[str, ...]]:
-        """Return whose clocks leapt how often since this was asked last."""
-        before, self._leaps = self._leaps, Counter({w.sensors: w.count for w in warnings if w.code == "clock_jumped"})
-        return self._leaps - before
+    def _new_moments(self, warnings: Sequence[LiveWarning]) -> Counter[tuple[str, tuple[str, ...]]]:
+        """Return what happened at a moment, to whom, and how often since this was asked last."""
+        before = self._seen
+        self._seen = Counter({(one.code, one.sensors): one.count for one in warnings if one.code in MOMENTS})
+        return self._seen - before
 
 
 def _nothing(_done: None) -> None:

@@ -14,8 +14,9 @@ from fruitgui.records.database import Database
 from fruitgui.records.tables import LotRow, SpellRow
 from fruitgui.station.live.blind import Blind
 
-TroubleSort = Literal["moved", "clock_jumped"]
-"""`moved`: sensors do not stand as they were calibrated. `clock_jumped`: their clocks leapt, at one moment."""
+TroubleSort = Literal["moved", "clock_jumped", "mostly_unknown"]
+"""`moved`: sensors do not stand as they were calibrated. At one moment each: `clock_jumped`, their clocks leapt;
+`mostly_unknown`, most of the last fruit were unknown to the model."""
 
 SpellSort = Literal["away", "sparse"]
 """`away`: sensors gave nothing. `sparse`: they gave too few pictures for the belt's speed."""
@@ -30,7 +31,7 @@ class Trouble:
     Attributes:
         sort: what it was.
         from_s, to_s: Unix seconds; it goes on where there is no end, and has none of its own where both are one.
-        sensors: their names.
+        sensors: their names; none where it is not about sensors.
     """
 
     sort: TroubleSort
@@ -112,10 +113,21 @@ class Spells:
         Raises:
             WorldError: it cannot be kept.
         """
+        self._note_moment(lot, "clock_jumped", sensors)
+
+    def note_unknown(self, lot: int) -> None:
+        """Note that by now most of the last fruit are unknown to the model.
+
+        Raises:
+            WorldError: it cannot be kept.
+        """
+        self._note_moment(lot, "mostly_unknown", ())
+
+    def _note_moment(self, lot: int, sort: TroubleSort, sensors: tuple[str, ...]) -> None:
         with self._database.writing() as session:
             if _runs(session, lot):
                 now_s = self._now_s()
-                session.add(_trouble_row(lot, "clock_jumped", sensors, now_s, now_s))
+                session.add(_trouble_row(lot, sort, sensors, now_s, now_s))
 
 
 def end_spells(session: Session, lot: int, at_s: float) -> None:

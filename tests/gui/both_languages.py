@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
@@ -10,7 +11,11 @@ from PySide6.QtCore import QEvent, QObject, QTranslator
 from PySide6.QtWidgets import QApplication
 
 from fruitgui.gui.messages import Level, Message
+from fruitgui.gui.tasks import Task
 from fruitgui.resources import folder
+
+MOMENTS = ("Starting the line", "Stopping the line", "Counting the fruit still in view")
+"""Said for a second or two of a line that starts or stops: over before anybody has chosen another language."""
 
 
 class _Hush(QObject):
@@ -50,6 +55,14 @@ class BothLanguages:
         with self._spanish():
             if words() == before:
                 self.fixed.append(str(before))
+
+    def hear_doing(self, task: Task[object], said: str) -> None:
+        """Take note of what a task says of its progress, if that is a sentence and no name of a file or a sensor."""
+        if said in MOMENTS or not re.search(r"[A-Za-z]{2,} [a-z]{2,}", said):
+            return
+        with self._spanish():
+            if task.doing == said:
+                self.fixed.append(said)
 
     @contextmanager
     def _spanish(self) -> Iterator[None]:

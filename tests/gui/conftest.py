@@ -7,7 +7,7 @@ import gc
 import os
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -113,9 +113,11 @@ def worded_when_shown(both_languages: BothLanguages) -> Iterator[None]:
         both_languages.hear(message)
         say(messages, message)
 
-    def ran(runner: TaskRunner, name: Words, job: Job[object]) -> Task[object]:
+    def ran(runner: TaskRunner, name: Words, job: Job[object], *worded: Callable[[str], str]) -> Task[object]:
         both_languages.hear_words(name)
-        return run(runner, name, job)
+        task = run(runner, name, job, *worded)
+        task.progressed.connect(lambda _share, doing: both_languages.hear_doing(task, doing))
+        return task
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Messages, "say", said)

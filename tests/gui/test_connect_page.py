@@ -379,3 +379,13 @@ def test_everything_that_is_pressed_is_large_enough_for_a_glove(
     shown += page.findChildren(QAbstractButton)
     small = [one.accessibleName() for one in shown if one.isVisible() and min(one.height(), one.width()) < 40]
     assert small == []
+
+
+def test_cards_are_no_higher_than_their_words_on_a_large_screen(
+    qtbot: QtBot, rigged: Session, page: ConnectPage
+) -> None:
+    _connect(qtbot, rigged, page)
+    page.resize(3632, 2020)
+    qtbot.waitUntil(lambda: page.turns.isVisible() and page.tiles.height() > 1500)
+    for card in (page.details, page.turns):
+        assert card.height() <= max(card.heightForWidth(card.width()), card.sizeHint().height()) + 8

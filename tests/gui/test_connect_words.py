@@ -1,11 +1,17 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
+from PySide6.QtGui import QImage
+from pytestqt.qtbot import QtBot
 
 from fruitgui.errors import WorldError
 from fruitgui.gui.steps.connect.arrangement import arranged
-from fruitgui.gui.steps.connect.presenter import sensor_views, summary
-from fruitgui.gui.steps.connect.words import condition, lost_text, name_problem, rate_text
+from fruitgui.gui.steps.connect.presenter import SensorView, sensor_views, summary
+from fruitgui.gui.steps.connect.tile import SensorTile
+from fruitgui.gui.steps.connect.words import Condition, condition, lost_text, name_problem, rate_text
+from fruitgui.gui.theme.theme import Theme
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.connection import ConnectedSensor, Connection
 
@@ -75,3 +81,25 @@ def test_pictures_fit_and_stay_large_enough_to_be_seen(count: int, size: tuple[i
     assert high <= size[1] + 1
     assert fit.columns * (wide + 24) + (fit.columns - 1) * 16 <= size[0] + 1
     assert fit.picture_width >= 100
+
+
+@pytest.mark.parametrize(("width", "sentence"), [(160, False), (420, True)])
+def test_how_many_pictures_come_stands_on_a_tile_of_any_width(
+    qtbot: QtBot, theme: Theme, width: int, sentence: bool
+) -> None:
+    """With eight sensors in the least window there is no room for a sentence."""
+    connection = Connection(source={"kind": "simulated"}, sensors=(ConnectedSensor(device="a", name="a"),))
+    health = {"a": SensorHealth("a", Running.RUNNING, rate_hz=9.9, nominal_hz=10.0, age_s=0.1)}
+    (view,) = sensor_views(connection, {}, health, opening=False)
+    well = replace(view, condition=Condition("good", "running"))
+    tile = SensorTile(theme)
+    qtbot.addWidget(tile)
+    tile.resize(width, 260)
+
+    def drawn(shown: SensorView) -> QImage:
+        tile.show_view(shown)
+        return tile.grab().toImage()
+
+    assert well.short_rate == "9.9/s"
+    assert (drawn(well) != drawn(replace(well, rate="1.0 of 10.0 a second"))) is sentence
+    assert (drawn(well) != drawn(replace(well, short_rate="1.0/s"))) is not sentence

@@ -1,10 +1,17 @@
 from __future__ import annotations
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor, QImage, QPainter
+from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.kind_book import KindBook
+from fruitgui.gui.theme.contrast import SHAPES, contrast
 from fruitgui.gui.theme.kinds import UNKNOWN, kind_marks
+from fruitgui.gui.theme.tokens import THEMES, Colours
+from fruitgui.gui.widgets.kind_mark import paint_mark, point_pixmap
 from fruitgui.station.kinds_file import KindNotes
 
 
@@ -58,3 +65,24 @@ def test_a_typed_density_is_told_only_once_it_is_kept() -> None:
     assert told == [True], "nothing new"
     book.type_densities({"lemon": None})
     assert book.densities_g_ml == {}
+
+
+@pytest.mark.parametrize("colours", THEMES.values(), ids=THEMES.keys())
+def test_every_mark_has_an_edge_that_is_seen_on_either_ground(qtbot: QtBot, colours: Colours) -> None:  # noqa: ARG001
+    for mark in kind_marks([f"kind {number}" for number in range(8)]).values():
+        image = QImage(40, 40, QImage.Format.Format_RGB32)
+        image.fill(QColor(colours.surface))
+        with QPainter(image) as painter:
+            paint_mark(painter, QRectF(0, 0, 40, 40), mark)
+        row = [image.pixelColor(x, 20).name() for x in range(20)]
+        first = next(x for x, one in enumerate(row) if one != colours.surface)
+        assert max(contrast(one, colours.surface) for one in row[first : first + 4]) >= SHAPES, mark
+
+
+def test_points_that_are_too_small_for_letters_differ_in_shape_too(qtbot: QtBot) -> None:  # noqa: ARG001 - Qt runs
+    marks = kind_marks(["lemon", "pear", "quince"])
+    shapes = [
+        [point_pixmap(marks[kind], 12).toImage().pixelColor(x, y).alpha() > 128 for x in range(12) for y in range(12)]
+        for kind in ("lemon", "pear", "quince")
+    ]
+    assert shapes[0] != shapes[1] != shapes[2] != shapes[0]

@@ -3,19 +3,20 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QPainter
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.drawn import BeltMap, DrawnFruit, DrawnPicture, KindLine, LastFruit, MappedFruit
 from fruitgui.gui.steps.live.belt_map import BeltView
 from fruitgui.gui.steps.live.counts import LEAST, TOTAL, CountsView, places_for
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
-from fruitgui.gui.steps.live.layout import Pictures, columns_for
+from fruitgui.gui.steps.live.layout import LiveLayout, Pictures, columns_for
 from fruitgui.gui.steps.live.presenter import stale_words
 from fruitgui.gui.steps.live.standing import StandingBand
 from fruitgui.gui.theme.kinds import kind_marks
 from fruitgui.gui.theme.theme import Theme
-from fruitgui.gui.widgets.sensor_picture import Overlays, SensorPicture
+from fruitgui.gui.widgets import fitting
+from fruitgui.gui.widgets.sensor_picture import WORDS_FROM, Overlays, SensorPicture
 from fruitgui.sensors.feed import Running, SensorHealth
 from fruitgui.station.live.state import Spread
 
@@ -221,3 +222,41 @@ def test_the_newest_fruit_comes_first(qtbot: QtBot, theme: Theme) -> None:
     fruit = [LastFruit(n, n, MARKS["lemon"], "Lemon", 0.98, 112.0, 2.0, b"no picture") for n in (3, 2, 1)]
     view.show_fruit(fruit)
     assert view.grab().toImage() != empty
+
+
+def test_a_large_picture_has_all_the_room_beside_the_counts(qtbot: QtBot, theme: Theme) -> None:
+    body = LiveLayout(theme)
+    qtbot.addWidget(body)
+    body.pictures.show_sensors(["kinect_1", "kinect_2"])
+    body.resize(1040, 554)
+    body.show()
+    picture = body.pictures.pictures["kinect_1"]
+    before = picture.width()
+    body.pictures.toggle("kinect_1")
+    qtbot.waitUntil(lambda: picture.width() > before and picture.height() == body.height())
+    assert not body.belt.isVisible()
+    assert body.counts.isVisible()
+    assert min(picture.width() / 640, picture.height() / 480) >= WORDS_FROM, "its labels have words"
+    body.pictures.toggle("kinect_1")
+    qtbot.waitUntil(lambda: picture.width() == before and body.belt.isVisible() and body.last.isVisible())
+
+
+@pytest.mark.parametrize("width", [300, 360, 394])
+def test_the_name_of_a_single_kind_is_whole(
+    qtbot: QtBot, theme: Theme, monkeypatch: pytest.MonkeyPatch, width: int
+) -> None:
+    drawn: list[str] = []
+    whole = fitting.cut
+
+    def cut(painter: QPainter, text: str, room: float) -> str:
+        drawn.append(whole(painter, text, room))
+        return drawn[-1]
+
+    monkeypatch.setattr(fitting, "cut", cut)
+    view = CountsView(theme)
+    qtbot.addWidget(view)
+    view.resize(width, 400)
+    unknown = kind_marks([])["unknown"]
+    view.show_lines([KindLine(unknown, "Desconocida", 0, None, None, 0.0, 0.0, None, 0)])
+    view.grab()
+    assert drawn == ["Desconocida"]

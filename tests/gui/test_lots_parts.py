@@ -32,7 +32,7 @@ from fruitgui.gui.steps.lots.lot_entry import LotState, Period, bounds_s, lot_en
 from fruitgui.gui.steps.lots.paged import Pages
 from fruitgui.gui.steps.lots.spreads import columns_for
 from fruitgui.gui.steps.lots.words import litres_text, quantity_text
-from fruitgui.gui.times import duration_text, second_text
+from fruitgui.gui.times import clock_text, duration_text, second_text
 from fruitgui.gui.view_pictures import view_pictures
 from fruitgui.measurement.fruit import Quantity
 from fruitgui.records.fruit_search import FruitQuery
@@ -152,6 +152,16 @@ def test_a_moved_rig_and_clocks_that_leapt_are_said_with_who_it_was() -> None:
     assert trouble_text(_lot()) == ""
 
 
+def test_it_is_said_at_what_times_most_fruit_were_unknown() -> None:
+    times_s = (1100.0, 1900.0, 2800.0, 3700.0)
+    unknown = tuple(Trouble("mostly_unknown", at_s, at_s, ()) for at_s in times_s)
+    first, second, third, _ = (clock_text(at_s) for at_s in times_s)
+    assert trouble_text(_lot(troubles=unknown[:1])) == (
+        f"Most fruit were unknown to the model at {first}: kinds may lack fruit"
+    )
+    assert f"at {first}, {second}, {third} …: kinds" in trouble_text(_lot(troubles=unknown))
+
+
 def test_a_lot_is_running_paused_left_open_or_ended() -> None:
     still = _lot(pauses=(Pause(1100.0, None, "asked"),))
     assert state_of(_lot(), 1) is LotState.RUNNING
@@ -192,7 +202,7 @@ def test_figures_are_those_of_the_store(store: Store, clock: Clock) -> None:
 def test_a_lot_is_listed_with_its_sums(store: Store, clock: Clock) -> None:
     lot = run(store, clock, "1184", "Riquelme", 8)
     (line,) = store.lots.find(LotQuery()).lots
-    entry = lot_entry(line, None)
+    entry = lot_entry(line, None, line.lot.started_s)
     assert (entry.key, entry.name, entry.who, entry.fruit, entry.state) == (
         lot,
         "1184",
@@ -342,7 +352,7 @@ def test_names_of_files_can_be_kept_anywhere(name: str, file: str) -> None:
 def test_a_plan_without_words_is_listed_all_the_same(store: Store) -> None:
     store.lots.start(LotPlan("x"))
     (line,) = store.lots.find(LotQuery()).lots
-    assert lot_entry(line, None).who == ""
+    assert lot_entry(line, None, 0.0).who == ""
 
 
 @pytest.mark.parametrize(

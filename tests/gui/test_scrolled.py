@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QPointingDevice
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.widgets.scrolled import Scrolled
@@ -27,3 +30,36 @@ def test_it_is_as_high_as_its_words_need(qtbot: QtBot, width: int) -> None:
     assert inner.width() == scrolled.viewport().width()
     words[1].setText(WORDS)
     qtbot.waitUntil(lambda: all(one.height() >= one.heightForWidth(one.width()) for one in words))
+
+
+def _touch(area: QWidget, device: QPointingDevice, *points: QPoint) -> None:
+    """Put a finger down at the first point, move it over the others, and lift it at the last."""
+    QTest.touchEvent(area, device).press(0, points[0], area).commit()
+    for point in points[1:]:
+        QTest.qWait(10)  # the speed of a finger is part of what it says
+        QTest.touchEvent(area, device).move(0, point, area).commit()
+    QTest.touchEvent(area, device).release(0, points[-1], area).commit()
+
+
+@pytest.mark.usefixtures("theme")
+def test_a_finger_presses_what_it_taps_and_scrolls_where_it_moves(qtbot: QtBot) -> None:
+    pressed: list[int] = []
+    inner = QWidget()
+    column = QVBoxLayout(inner)
+    for number in range(40):
+        button = QPushButton(f"Button {number}")
+        button.clicked.connect(lambda _checked=False, number=number: pressed.append(number))
+        column.addWidget(button)
+    area = Scrolled(inner)
+    qtbot.addWidget(area)
+    area.resize(300, 400)
+    area.show()
+    button = inner.findChildren(QPushButton)[2]
+    finger, bar = QTest.createTouchDevice(), area.verticalScrollBar()
+    middle = button.rect().center()
+    _touch(button, finger, middle)
+    qtbot.waitUntil(lambda: pressed == [2])
+    assert bar.value() == 0
+    _touch(button, finger, *(middle - QPoint(0, 12 * step) for step in range(12)))
+    qtbot.waitUntil(lambda: bar.value() > 40)
+    assert pressed == [2], "a finger that moves presses nothing"

@@ -1,24 +1,14 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QComboBox, QLineEdit, QPlainTextEdit, QPushButton, QSpinBox, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
+from fruitgui.gui.rail import COLOURS
+from fruitgui.gui.theme.contrast import contrast
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import THEMES, Colours
-
-
-def _luminance(colour: str) -> float:
-    parts = [part / 255.0 for part in QColor(colour).getRgb()[:3]]
-    linear = [part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
-def contrast(one: str, other: str) -> float:
-    """Return the contrast of two colours (WCAG 2.1, 1 to 21)."""
-    light, dark = sorted((_luminance(one), _luminance(other)), reverse=True)
-    return (light + 0.05) / (dark + 0.05)
+from fruitgui.station.workflow import State
 
 
 @pytest.mark.parametrize("colours", THEMES.values(), ids=THEMES.keys())
@@ -37,6 +27,24 @@ def test_the_main_button_can_be_read(colours: Colours) -> None:
 @pytest.mark.parametrize("ground", ["ground", "surface", "raised"])
 def test_what_can_be_pressed_or_typed_into_has_an_edge_that_is_seen(colours: Colours, ground: str) -> None:
     assert contrast(getattr(colours, ground), colours.edge) >= 3.0
+
+
+def test_contrast_is_as_it_is_defined() -> None:
+    assert contrast("#000000", "#ffffff") == pytest.approx(21.0)
+    assert contrast("#ffffff", "#ffffff") == pytest.approx(1.0)
+    assert contrast("#777777", "#ffffff") == pytest.approx(4.48, abs=0.01)
+
+
+@pytest.mark.parametrize("colours", THEMES.values(), ids=THEMES.keys())
+@pytest.mark.parametrize("kept_by", ["ground", "surface", "raised"])
+def test_the_ring_of_the_keyboard_is_seen_where_a_frame_was_or_none(colours: Colours, kept_by: str) -> None:
+    assert contrast(colours.text, getattr(colours, kept_by)) >= 3.0
+
+
+@pytest.mark.parametrize("colours", THEMES.values(), ids=THEMES.keys())
+@pytest.mark.parametrize("state", list(State))
+def test_the_state_of_a_step_has_a_mark_that_is_seen(colours: Colours, state: State) -> None:
+    assert contrast(getattr(colours, COLOURS[state]), colours.surface) >= 3.0
 
 
 @pytest.mark.parametrize("make", [QPushButton, QToolButton, QComboBox, QLineEdit, QSpinBox, QPlainTextEdit])

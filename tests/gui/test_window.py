@@ -6,7 +6,7 @@ from threading import Event
 import pytest
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QToolButton, QToolTip
 from pytestqt.qtbot import QtBot
 
 from fruitgui.errors import InputError, WorldError
@@ -14,15 +14,17 @@ from fruitgui.gui.action_bar import ActionButton
 from fruitgui.gui.health import warning_message
 from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.calibrate.core_words import in_words
 from fruitgui.gui.steps.page import StepPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import TOUCH
 from fruitgui.gui.told import Told
+from fruitgui.gui.top_bar import Pill, TopBar
 from fruitgui.gui.translate import Language
 from fruitgui.gui.window import MainWindow
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.station.live.state import LiveWarning
-from fruitgui.station.workflow import Facts, Step, step_states
+from fruitgui.station.workflow import Facts, State, Step, StepState, Why, step_states
 
 
 class _Page(StepPage):
@@ -242,3 +244,112 @@ def test_everything_that_is_pressed_is_large_enough_for_a_glove(window: MainWind
     for button in window.findChildren(QPushButton):
         if button.isVisible():
             assert min(button.height(), TOUCH) >= 40
+
+
+def _labels(window: MainWindow) -> list[str]:
+    return [one.text() for one in window.action_bar.findChildren(QLabel) if one.isVisible() and one.text()]
+
+
+def test_what_a_job_is_at_follows_the_language_at_once(
+    qtbot: QtBot, window: MainWindow, session: Session, qapp: QApplication
+) -> None:
+    go = Event()
+
+    def job(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001 - it waits to be let go
+        progress(0.5, "Placing the sensors")
+        go.wait(60)
+
+    task = session.tasks.run(lambda: QCoreApplication.translate("CalibratePage", "Calibrating"), job, in_words)
+    qtbot.waitUntil(lambda: "Placing the sensors" in _labels(window))
+    language = Language()
+    language.put_on(qapp, "es")
+    try:
+        qtbot.waitUntil(lambda: "Ubicando los sensores" in _labels(window))
+    finally:
+        language.put_on(qapp, "en")
+        with qtbot.waitSignal(task.ended):
+            go.set()
+
+
+def test_a_job_stays_in_view_when_one_that_began_later_has_ended(
+    qtbot: QtBot, window: MainWindow, session: Session
+) -> None:
+    first, second = Event(), Event()
+
+    def job(until: Event, doing: str) -> Callable[[Progress, Cancelled], None]:
+        def run(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001 - it waits to be let go
+            progress(0.25, doing)
+            until.wait(60)
+
+        return run
+
+    slow = session.tasks.run(lambda: "Slow", job(first, "slow_1"))
+    qtbot.waitUntil(lambda: "slow_1" in _labels(window))
+    quick = session.tasks.run(lambda: "Quick", job(second, "quick_1"))
+    qtbot.waitUntil(lambda: "quick_1" in _labels(window))
+    with qtbot.waitSignal(quick.ended):
+        second.set()
+    qtbot.waitUntil(lambda: {"Slow", "slow_1"} <= set(_labels(window)))
+    with qtbot.waitSignal(slow.ended):
+        first.set()
+    qtbot.waitUntil(lambda: "Slow" not in _labels(window))
+
+
+def test_the_progress_of_a_job_does_not_take_the_place_of_what_an_error_says_to_do(
+    qtbot: QtBot, window: MainWindow, session: Session
+) -> None:
+    told, end = Event(), Event()
+
+    def job(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001 - it waits to be let go
+        progress(0.25, "one_1")
+        told.wait(60)
+        progress(0.5, "two_2")
+        end.wait(60)
+
+    task = session.tasks.run(lambda: "Slow", job)
+    qtbot.waitUntil(lambda: "one_1" in _labels(window))
+    session.messages.error(InputError("what_is_wrong", "The file is damaged.", "Choose another."))
+    shares: list[float] = []
+    task.progressed.connect(lambda share, _: shares.append(share))
+    told.set()
+    qtbot.waitUntil(lambda: shares == [0.5])
+    assert {"The file is damaged.", "Choose another."} <= set(_labels(window))
+    assert "two_2" not in _labels(window)
+    with qtbot.waitSignal(task.ended):
+        end.set()
+
+
+def test_why_a_step_is_to_be_done_again_stands_below_it_and_all_seven_stay_in_view(
+    qapp: QApplication, window: MainWindow
+) -> None:
+    window.resize(1280, 720)
+    low = window.rail.buttons[Step.BELT].height()
+    why = Why("sensors_changed", {"added": ["kinect_3"], "removed": ["kinect_2"], "exchanged": ["left_1", "right_1"]})
+    again = (Step.CALIBRATE, Step.BELT, Step.TEACH, Step.TRAIN)
+    window.show_states({step: StepState(State.REDO if step in again else State.DONE, why) for step in Step})
+    qapp.processEvents()
+    assert window.rail.buttons[Step.CALIBRATE].height() > low + 30
+    assert window.rail.buttons[Step.LIVE].height() == low, "what is done needs no reason"
+    last = window.rail.buttons[Step.LOTS]
+    assert last.geometry().bottom() <= window.rail.height()
+
+
+@pytest.mark.qt_log_ignore("does not support raise", extend=True)
+def test_a_press_on_a_pill_says_what_a_resting_pointer_would(qtbot: QtBot, window: MainWindow) -> None:
+    window.top_bar.show_pills((Pill("disk", "disk", "3 GB", "warn", "Free on the disk: 3 GB."),))
+    (button,) = (one for one in window.top_bar.findChildren(QToolButton) if one.text() == "3 GB")
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert QToolTip.text() == "Free on the disk: 3 GB."
+    QToolTip.hideText()
+    qtbot.waitUntil(lambda: not QToolTip.isVisible())
+
+
+def test_what_is_not_well_has_a_sign_and_not_a_colour_alone(qtbot: QtBot, theme: Theme) -> None:
+    bar = TopBar(theme)
+    qtbot.addWidget(bar)
+    widths = []
+    for health in ("good", "warn", "bad"):
+        bar.show_pills((Pill("line", "clock", "140 ms", health),))
+        (button,) = (one for one in bar.findChildren(QToolButton) if one.text() == "140 ms")
+        widths.append(button.iconSize().width())
+    assert widths[0] < widths[1] == widths[2]

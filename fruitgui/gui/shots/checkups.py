@@ -18,7 +18,14 @@ ON_BOARD, CARD = "0000:00:14.0", "0000:05:00.0"
 def _kinect(number: int, serial: str, place: UsbPlace) -> CheckedSensor:
     measured = Measured(29.97, 30.0, 120, 0)
     return CheckedSensor(
-        f"kinect_{number}", "kinect", "Kinect 1414", serial, SensorState.RUNNING, measured=measured, place=place
+        f"kinect_{number}",
+        "kinect",
+        "Kinect 1414",
+        serial,
+        SensorState.RUNNING,
+        firmware="1.14",
+        measured=measured,
+        place=place,
     )
 
 

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.frame import Ints
 from fruitgui.gui.numbers import THIN, count_text, number_text
+from fruitgui.gui.theme.contrast import SHAPES, contrast
 from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 
@@ -77,13 +78,18 @@ class HistogramView(QWidget):
         bins = len(self._bars[0].counts)
         width = plot.width() / bins
         floor = np.full(bins, plot.bottom())
-        painter.setPen(Qt.PenStyle.NoPen)
         for bars in self._bars:
+            painter.setPen(self._edge(bars.mark.colour))
             painter.setBrush(QColor(bars.mark.colour))
             for number in np.flatnonzero(bars.counts).tolist():
                 height = plot.height() * int(bars.counts[number]) / most
                 floor[number] -= height
                 painter.drawRect(QRectF(plot.left() + number * width + 0.5, floor[number], max(width - 1, 1), height))
+
+    def _edge(self, colour: str) -> QPen:
+        """Return the edge of bars of a colour: none where they stand out from the ground by themselves."""
+        faint = contrast(colour, self._theme.colours.surface) < SHAPES
+        return QPen(self._theme.colour("edge"), 1) if faint else QPen(Qt.PenStyle.NoPen)
 
     def _paint_axis(self, painter: QPainter, plot: QRectF, most: int) -> None:
         painter.setPen(self._theme.colour("text_dim"))

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from fruitgui.gui.theme.tokens import GRID, TOUCH
+from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.decimal_box import DecimalBox
 
 FOR_EVER = 0
@@ -32,7 +33,7 @@ class KeepingTime(QWidget):
             days: 0 for ever.
         """
         super().__init__(parent)
-        self.choice, self.own = QComboBox(), DecimalBox()
+        self.choice, self.own = ChoiceBox(), DecimalBox()
         for text, span in (
             (self.tr("A week"), 7),
             (self.tr("A month"), 30),

@@ -22,6 +22,9 @@ ONE, TWO = 0.5, 0.38
 TAPERING, IN_TAPERING = (Shape.TRIANGLE, Shape.DIAMOND, Shape.STAR), 0.86
 """Shapes that leave letters less room, and how much of their size is left."""
 
+RING_ROOM = 0.13
+"""Between a ring and the one inside it, in parts of the mark's side."""
+
 LOW_IN_TRIANGLE = 0.155
 """A triangle is wide below its middle only."""
 
@@ -33,12 +36,8 @@ def paint_mark(painter: QPainter, place: QRectF, mark: KindMark) -> None:
     side = min(place.width(), place.height())
     box = QRectF(0, 0, side, side)
     box.moveCenter(place.center())
-    colour = QColor(mark.colour)
-    ring = mark.shape is Shape.RING
-    painter.setPen(QPen(colour, max(side / 10.0, 1.5)) if ring else Qt.PenStyle.NoPen)
-    painter.setBrush(Qt.BrushStyle.NoBrush if ring else colour)
-    painter.drawPath(_path(mark.shape, box.adjusted(side * 0.06, side * 0.06, -side * 0.06, -side * 0.06)))
-    painter.setPen(colour if ring else INK)
+    _paint_shape(painter, _inner(box), mark)
+    painter.setPen(INK)
     font = QFont(FAMILY)
     room = (ONE if len(mark.letters) == 1 else TWO) * (IN_TAPERING if mark.shape in TAPERING else 1.0)
     font.setPixelSize(max(round(side * room), 6))
@@ -47,6 +46,23 @@ def paint_mark(painter: QPainter, place: QRectF, mark: KindMark) -> None:
     low = side * LOW_IN_TRIANGLE if mark.shape is Shape.TRIANGLE else 0.0
     painter.drawText(box.translated(0, low), Qt.AlignmentFlag.AlignCenter, mark.letters)
     painter.restore()
+
+
+def _inner(box: QRectF) -> QRectF:
+    room = box.width() * 0.06
+    return box.adjusted(room, room, -room, -room)
+
+
+def _paint_shape(painter: QPainter, box: QRectF, mark: KindMark) -> None:
+    """Draw a mark without its letters, with a dark rim: on a light ground some of the colours have no edge."""
+    colour, path, side = QColor(mark.colour), _path(mark.shape, box), box.width()
+    rim = max(side / 24.0, 1.0)
+    painter.setPen(QPen(INK, rim))
+    painter.setBrush(colour)
+    painter.drawPath(path)
+    if mark.shape is Shape.RING:  # a second one inside tells it from a circle of the same colour
+        room = side * RING_ROOM
+        painter.drawPath(_path(mark.shape, box.adjusted(room, room, -room, -room)))
 
 
 def mark_pixmap(mark: KindMark, size_px: float, ratio: float = 1.0) -> QPixmap:
@@ -60,14 +76,14 @@ def mark_pixmap(mark: KindMark, size_px: float, ratio: float = 1.0) -> QPixmap:
 
 
 def point_pixmap(mark: KindMark, size_px: float, ratio: float = 1.0) -> QPixmap:
-    """Return a point of a kind's colour, for where its mark would be too small to be read."""
+    """Return a point of a kind's colour and shape, for where its letters would be too small to be read."""
+    place = QRectF(0, 0, size_px, size_px)
 
     def paint(painter: QPainter) -> None:
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(mark.colour))
-        painter.drawEllipse(QRectF(0, 0, size_px, size_px))
+        _paint_shape(painter, _inner(place), mark)
 
-    return stamp(("point", mark.colour, size_px, ratio), lambda: drawn_pixmap(size_px, size_px, ratio, paint))
+    return stamp(("point", mark.colour, mark.shape, size_px, ratio),
+                 lambda: drawn_pixmap(size_px, size_px, ratio, paint))  # fmt: skip
 
 
 class KindMarkView(QWidget):
@@ -101,6 +117,7 @@ def _path(shape: Shape, box: QRectF) -> QPainterPath:
         third = box.width() / 3.0
         path.addRect(box.adjusted(third * 0.8, 0, -third * 0.8, 0))
         path.addRect(box.adjusted(0, third * 0.8, 0, -third * 0.8))
+        return path.simplified()  # one outline, not that of two bars
     elif shape is Shape.TRIANGLE:
         top = QPointF(box.center().x(), box.top())
         path.addPolygon(QPolygonF([top, box.bottomRight(), box.bottomLeft()]))

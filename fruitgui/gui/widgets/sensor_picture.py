@@ -17,7 +17,6 @@ from PySide6.QtGui import (
     QPainter,
     QPainterPath,
     QPaintEvent,
-    QPen,
     QPixmap,
     QTransform,
 )
@@ -29,6 +28,7 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
+from fruitgui.gui.widgets.focus import paint_focus
 from fruitgui.gui.widgets.fruit_labels import CHIP, INK, FruitLabels
 from fruitgui.gui.widgets.pictures import image_of
 from fruitgui.gui.widgets.strokes import ellipse, on_screen, paint_lines, thinned
@@ -141,8 +141,7 @@ class SensorPicture(QWidget):
             painter.drawPixmap(QPointF(GRID, GRID), self._caption())
             painter.setClipping(False)
             if self.hasFocus():
-                painter.setPen(QPen(self._theme.colour("accent"), 3))
-                painter.drawRoundedRect(QRectF(self.rect()).adjusted(1.5, 1.5, -1.5, -1.5), RADIUS, RADIUS)
+                paint_focus(painter, QRectF(self.rect()), RADIUS, self._theme)
 
     def _paint_picture(self, painter: QPainter, drawn: DrawnPicture) -> None:
         size = self._image.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio)

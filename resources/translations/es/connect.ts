@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es">
 <context>
+    <name>CheckedSensorCard</name>
+    <message>
+        <source>firmware {version}</source>
+        <translation>firmware {version}</translation>
+    </message>
+</context>
+<context>
     <name>Checkup</name>
     <message>
         <source>No depth sensor was found on this computer.</source>

@@ -590,6 +590,10 @@
         <translation>Saltaron relojes {count}× ({sensors}): puede faltar fruta de ese momento o estar dos veces</translation>
     </message>
     <message>
+        <source>Most fruit were unknown to the model at {times}: kinds may lack fruit</source>
+        <translation>El modelo no conocía la mayor parte de la fruta a las {times}: a los tipos puede faltarles fruta</translation>
+    </message>
+    <message>
         <source>recipe {recipe}</source>
         <translation>receta {recipe}</translation>
     </message>

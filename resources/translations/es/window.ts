@@ -245,6 +245,10 @@
         <translation>{well}/{all} sensores</translation>
     </message>
     <message>
+        <source>All sensors give pictures.</source>
+        <translation>Todos los sensores dan imágenes.</translation>
+    </message>
+    <message>
         <source>The sensors are starting.</source>
         <translation>Los sensores están arrancando.</translation>
     </message>

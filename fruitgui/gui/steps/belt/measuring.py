@@ -31,10 +31,7 @@ def measuring(feed: Feed, station: Station) -> Job[Motion]:
     """Return the job of measuring the belt."""
 
     def job(progress: Progress, cancelled: Cancelled) -> Motion:
-        def told(share: float, doing: str) -> None:
-            progress(share, views_text(doing))
-
-        return Motion(measure_belt(feed, station, told, cancelled))
+        return Motion(measure_belt(feed, station, progress, cancelled))
 
     return job
 

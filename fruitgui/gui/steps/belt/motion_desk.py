@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, Signal
 
 from fruitgui.gui.session import Session
-from fruitgui.gui.steps.belt.measuring import Motion, measuring
+from fruitgui.gui.steps.belt.measuring import Motion, measuring, views_text
 from fruitgui.gui.tasks import Task
 from fruitgui.gui.told import Told
 from fruitgui.sensors.feed import Feed
@@ -37,7 +37,8 @@ class MotionDesk(QObject):
         """Begin, unless it measures already."""
         if self._task is not None:
             return
-        self._task = self._session.tasks.run(lambda: self.tr("Measuring the belt"), measuring(feed, station))
+        job = measuring(feed, station)
+        self._task = self._session.tasks.run(lambda: self.tr("Measuring the belt"), job, views_text)
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self._session.messages.error)
         self._task.ended.connect(self._ended)

@@ -8,7 +8,6 @@ from dataclasses import replace
 from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QCheckBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -27,6 +26,7 @@ from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label, set_health
 from fruitgui.gui.widgets.show_switch import ShowSwitch
 from fruitgui.gui.widgets.stepper import Stepper
+from fruitgui.gui.widgets.tick_box import TickBox
 
 
 class SidePanel(QWidget):
@@ -48,7 +48,7 @@ class SidePanel(QWidget):
         self.motion, self.fruit = Card(), Card()
         self._problem = label("", "small")
         self.measure_button = QPushButton()
-        self.fixed = QCheckBox()
+        self.fixed = TickBox()
         self.speed, self.turn = Stepper(theme, 3, "m/s"), Stepper(theme, 1, "°")
         self.forwards, self.backwards = QPushButton(), QPushButton()
         self._ways = QButtonGroup(self)

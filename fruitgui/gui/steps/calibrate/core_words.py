@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from PySide6.QtCore import QCoreApplication
-
-from fruitgui.progress import Progress
 
 translate = QCoreApplication.translate
 
@@ -44,13 +42,3 @@ def in_words(said: str) -> str:
         if match is not None:
             return text.format(**match.groupdict())
     return said
-
-
-def worded(progress: Progress) -> Progress:
-    """Return a progress that takes the core's words and passes them on in the operator's language."""
-    say: Callable[[float, str], None] = progress
-
-    def told(share: float, doing: str) -> None:
-        say(share, in_words(doing))
-
-    return told

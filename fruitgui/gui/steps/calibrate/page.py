@@ -225,7 +225,7 @@ class CalibratePage(StepPage):
         if feed is None or connection is None or self._task is not None:
             return
         job = calibrating(feed, connection.reference_name, self._session.station, self._session.depths)
-        self._task = self._session.tasks.run(lambda: self.tr("Calibrating"), job)
+        self._task = self._session.tasks.run(lambda: self.tr("Calibrating"), job, in_words)
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self._session.messages.error)
         self._task.cancelled.connect(self._stopped)
@@ -246,7 +246,8 @@ class CalibratePage(StepPage):
         feed, station = self._session.connected.feed, self._session.station
         if feed is not None and station is not None and set(feed.infos) <= set(station.sensors):
             self._drawn_for = station
-            self._drawing = self._session.tasks.run(lambda: self.tr("Looking at the belt"), drawing(feed, station))
+            job = drawing(feed, station)
+            self._drawing = self._session.tasks.run(lambda: self.tr("Looking at the belt"), job, in_words)
             self._drawing.succeeded.connect(self._show_drawn)
             self._drawing.ended.connect(self._drawn)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from fruitgui.gui.steps.calibrate.core_words import worded
 from fruitgui.gui.tasks import Job
 from fruitgui.progress import Cancelled, Progress, stop_if
 from fruitgui.sensors.feed import Feed
@@ -35,15 +34,16 @@ def calibrating(
     serials = {name: info.serial for name, info in feed.infos.items()}
 
     def job(progress: Progress, cancelled: Cancelled) -> Calibrated:
-        told = worded(progress)
-        stills = collect_stills(feed, progress=lambda share, doing: told(CAPTURED * share, doing), cancelled=cancelled)
+        stills = collect_stills(
+            feed, progress=lambda share, doing: progress(CAPTURED * share, doing), cancelled=cancelled
+        )
 
         def later(share: float, doing: str) -> None:
-            told(CAPTURED + (CALIBRATED - CAPTURED) * share, doing)
+            progress(CAPTURED + (CALIBRATED - CAPTURED) * share, doing)
 
         outcome = calibrate_again(stills, reference, serials, before, depths, later, cancelled)
         stop_if(cancelled)
-        told(CALIBRATED, "Drawing")
+        progress(CALIBRATED, "Drawing")
         corrected = corrected_stills(stills, corrections_of(serials, depths, before))
         return Calibrated(outcome, fused_clouds(corrected, before, outcome.station))
 
@@ -54,9 +54,8 @@ def drawing(feed: Feed, station: Station) -> Job[tuple[SensorCloud, ...]]:
     """Return the job of drawing what the sensors of a feed see, placed as a station has them."""
 
     def job(progress: Progress, cancelled: Cancelled) -> tuple[SensorCloud, ...]:
-        told = worded(progress)
-        stills = collect_stills(feed, CHECK_STILLS, lambda share, doing: told(CAPTURED * share, doing), cancelled)
-        told(CALIBRATED, "Drawing")
+        stills = collect_stills(feed, CHECK_STILLS, lambda share, doing: progress(CAPTURED * share, doing), cancelled)
+        progress(CALIBRATED, "Drawing")
         serials = {name: info.serial for name, info in feed.infos.items()}
         corrected = corrected_stills(stills, corrections_of(serials, None, station))
         return fused_clouds(corrected, station, station)

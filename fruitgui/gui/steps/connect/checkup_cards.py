@@ -54,7 +54,8 @@ class CheckedSensorCard(Card):
         condition = state_words(sensor)
         head = QHBoxLayout()
         head.setSpacing(GRID)
-        who = " · ".join(part for part in (sensor.model, sensor.serial) if part)
+        firmware = self.tr("firmware {version}").format(version=sensor.firmware) if sensor.firmware else ""
+        who = " · ".join(part for part in (sensor.model, sensor.serial, firmware) if part)
         word = label(condition.word, "strong")
         set_health(word, condition.health)
         head.addWidget(Mark(theme, condition.health))

@@ -19,12 +19,13 @@ from PySide6.QtWidgets import (
 from fruitgui.errors import FruitguiError
 from fruitgui.gui import error_words
 from fruitgui.gui.steps.connect.checkup_cards import CheckedSensorCard, ControllerCard, ProblemCard
-from fruitgui.gui.steps.connect.checkup_words import said, summary_text, worded
+from fruitgui.gui.steps.connect.checkup_words import doing_words, said, summary_text
 from fruitgui.gui.steps.connect.rules_dialog import RulesDialog
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label, set_role
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.gui.widgets.working import Working
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.sensors.usb.machine import Machine
@@ -77,12 +78,7 @@ class CheckupDialog(QDialog):
         """Check, unless it does."""
         if self.busy:
             return
-        check = self._check
-
-        def job(progress: Progress, cancelled: Cancelled) -> Checkup:
-            return check(worded(progress), cancelled)
-
-        self._task = self._tasks.run(_checking, job)
+        self._task = self._tasks.run(_checking, self._check, doing_words)
         self._task.progressed.connect(self._show_progress)
         self._task.succeeded.connect(self._found)
         self._task.failed.connect(self._failed)
@@ -101,12 +97,14 @@ class CheckupDialog(QDialog):
         """Take over another language."""
         if event.type() == QEvent.Type.LanguageChange:
             self._say_words()
+            self._say_doing()
             self._show()
         super().changeEvent(event)
 
     def _lay_out(self) -> None:
         self._summary.setWordWrap(True)
         self._scroll.setWidgetResizable(True)
+        reach(self._scroll)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         buttons = QHBoxLayout()
         buttons.setSpacing(GRID)
@@ -196,6 +194,11 @@ class CheckupDialog(QDialog):
 
     def _show_progress(self, share: float, doing: str) -> None:
         self._working.show_progress(share, doing)
+        self._say_doing()
+
+    def _say_doing(self) -> None:
+        if self._task is not None:
+            self._working.doing.setText(self.tr("Stopping …") if self._task.stopping else self._task.doing)
 
     # what is done
 
@@ -218,7 +221,7 @@ class CheckupDialog(QDialog):
     def _stop(self) -> None:
         if self._task is not None:
             self._task.cancel()
-            self._working.doing.setText(self.tr("Stopping …"))
+            self._say_doing()
 
     def _copy(self) -> None:
         if self._checkup is not None:

@@ -9,7 +9,6 @@ from PySide6.QtCore import QCoreApplication
 from fruitgui.gui import error_words
 from fruitgui.gui.numbers import count_text, number_text
 from fruitgui.gui.steps.connect.words import Condition
-from fruitgui.progress import Progress
 from fruitgui.sensors.usb.problems import Problem
 from fruitgui.station.checkup.records import CheckedSensor, Checkup, SensorState
 
@@ -249,12 +248,12 @@ def summary_text(checkup: Checkup) -> str:
     return translate("Checkup", "{sensors}; {n} things are wrong.").format(sensors=sensors, n=wrong)
 
 
-def worded(progress: Progress) -> Progress:
-    """Return a progress that takes the core's words and passes them on in the operator's language."""
+def doing_words(doing: str) -> str:
+    """Return what the core says while it checks, in the operator's language; what is not known is said as it is."""
     words = {
         "Looking at the USB": translate("Checkup", "Looking at the USB"),
         "Asking the drivers": translate("Checkup", "Asking the drivers"),
         "Starting the sensors": translate("Checkup", "Starting the sensors"),
         "Watching the sensors run": translate("Checkup", "Watching the sensors run"),
     }
-    return lambda share, doing: progress(share, words.get(doing, doing))
+    return words.get(doing, doing)

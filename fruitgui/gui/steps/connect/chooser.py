@@ -21,6 +21,7 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.focus import paint_focus
 from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.station.recordings_made import MadeRecording
 from fruitgui.station.sources import Source
@@ -53,10 +54,12 @@ class OfferRow(QAbstractButton):
         """Draw it."""
         painter, theme = QPainter(self), self._theme
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        lit = self.isChecked() or self.hasFocus()
+        chosen, box = self.isChecked(), QRectF(self.rect()).adjusted(1, 1, -1, -1)
         painter.setBrush(theme.colour("raised" if self.isChecked() or self.underMouse() else "surface"))
-        painter.setPen(QPen(theme.colour("accent" if lit else "line"), 2.0 if lit else 1.0))
-        painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), RADIUS, RADIUS)
+        painter.setPen(QPen(theme.colour("accent" if chosen else "edge"), 2.0 if chosen else 1.0))
+        painter.drawRoundedRect(box, RADIUS, RADIUS)
+        if self.hasFocus():
+            paint_focus(painter, box, RADIUS, theme)
         middle = self.height() / 2
         icon = theme.colour("accent" if self.isChecked() else "text_dim")
         icons.paint(painter, QRectF(2 * GRID, middle - 14, 28, 28), self.offer.icon, icon)

@@ -12,6 +12,7 @@ from fruitgui.gui.recorder_words import size_text
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.times import moment_text
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.station.recordings_made import MadeRecording
 
 ROW = 60
@@ -32,6 +33,7 @@ class MadeList(QWidget):
         self._made: Sequence[MadeRecording] = ()
         self._title = label("", "strong")
         self.list = QListWidget()
+        reach(self.list)
         self.list.setVerticalScrollMode(QListWidget.ScrollMode.ScrollPerPixel)
         self.list.setUniformItemSizes(True)
         self.list.setMinimumHeight(2 * ROW)

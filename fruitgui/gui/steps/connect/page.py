@@ -88,7 +88,7 @@ class ConnectPage(StepPage):
         column.addWidget(self.recording.card)
         column.addWidget(self.details)
         column.addWidget(self.turns)
-        column.addStretch()
+        column.addStretch(1)
         scroll = Scrolled(side, self._running)
         scroll.setFixedWidth(SIDE_WIDTH)
         row = QHBoxLayout(self._running)

@@ -6,7 +6,15 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from fruitgui.gui.steps.connect.steady_words import correction_text, light, warmth
-from fruitgui.gui.steps.connect.words import Condition, being_tried, colour_lock, condition, lost_text, rate_text
+from fruitgui.gui.steps.connect.words import (
+    Condition,
+    being_tried,
+    colour_lock,
+    condition,
+    lost_text,
+    rate_text,
+    short_rate_text,
+)
 from fruitgui.sensors.feed import Feed, Running, SensorHealth
 from fruitgui.sensors.sensor import ColorLock, SensorInfo
 from fruitgui.station.connection import ConnectedSensor, Connection
@@ -27,7 +35,7 @@ class SensorView:
         name: that a person gave. place: from 1.
         device: make and model. serial: of the device; a dash where unknown.
         reference: whether the others are placed in its frame.
-        condition: how it is. rate, lost: pictures a second and lost, in words.
+        condition: how it is. rate, lost: pictures a second and lost, in words. short_rate: where there is little room.
         colour: whether exposure and white balance are locked. light: whether the belt's light is as at first.
         warmth: whether its depth is steady. correction: of its depth, in words.
     """
@@ -44,6 +52,7 @@ class SensorView:
     light: Condition = NOT_KNOWN
     warmth: Condition = NOT_KNOWN
     correction: str = ""
+    short_rate: str = ""
 
 
 def sensor_views(
@@ -77,6 +86,7 @@ def _view(
         reference=one.name == reference,
         condition=condition(health) if not waiting else condition(_beginning(one.name)),
         rate=rate_text(health),
+        short_rate=short_rate_text(health),
         lost=lost_text(health),
         colour=colour_lock(kind, ColorLock.UNKNOWN if health is None else health.color_lock),
     )
@@ -100,7 +110,9 @@ def with_steadiness(
 def while_tried(views: tuple[SensorView, ...], health: Mapping[str, SensorHealth]) -> tuple[SensorView, ...]:
     """Return sensors whose projectors are being tried: to be silent is no fault then, to be gone is."""
     well = {name for name, one in health.items() if one.state is not Running.FAILED and not one.hangs}
-    return tuple(replace(view, condition=being_tried(), rate="–") if view.name in well else view for view in views)
+    return tuple(
+        replace(view, condition=being_tried(), rate="–", short_rate="") if view.name in well else view for view in views
+    )
 
 
 def _beginning(name: str) -> SensorHealth:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from PySide6.QtWidgets import (
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -18,6 +17,7 @@ from fruitgui.gui.recorder_words import size_text
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.times import duration_text
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.choice_box import ChoiceBox
 
 LENGTHS_S = (None, 10.0, 60.0, 300.0, 1800.0, 3600.0)
 
@@ -33,7 +33,7 @@ class RecordDialog(QDialog):
 
     def __init__(self, name: str, room_bytes: int, folder: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.name, self.length = QLineEdit(name), QComboBox()
+        self.name, self.length = QLineEdit(name), ChoiceBox()
         for seconds in LENGTHS_S:
             text = self.tr("Until I stop it") if seconds is None else duration_text(seconds)
             self.length.addItem(text, seconds)

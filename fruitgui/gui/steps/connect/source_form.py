@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSize, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFormLayout, QLabel, QPushButton, QWidget
 
 from fruitgui.gui.steps.connect.made_list import MadeList
 from fruitgui.gui.steps.connect.offers import (
@@ -23,7 +23,9 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.widgets.cards import Card, label
+from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.stepper import Stepper
+from fruitgui.gui.widgets.tick_box import TickBox
 from fruitgui.station.recordings_made import MadeRecording
 from fruitgui.station.sources import RecordedSource, Source
 
@@ -47,9 +49,9 @@ class SourceForm(Card):
         self._theme = theme
         self._offer: Offer | None = None
         self._path: Path | None = None
-        self.preset = QComboBox()
+        self.preset = ChoiceBox()
         self.rig, self.speed = Stepper(theme), Stepper(theme, 2, "m/s")
-        self.file, self.again = QPushButton(), QCheckBox()
+        self.file, self.again = QPushButton(), TickBox()
         self.made = MadeList()
         self._what, self._file_name = label("", "dim"), label("", "strong")
         self._form = QFormLayout()

@@ -12,6 +12,8 @@ from fruitgui.gui.steps.connect.thumbnails import Thumbnails
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
+from fruitgui.gui.widgets.fitting import fitted
+from fruitgui.gui.widgets.focus import paint_focus
 
 INSET = 1.5 * GRID
 WORDS = 7 * GRID
@@ -138,10 +140,11 @@ class SensorTile(QAbstractButton):
         edge = QRectF(self.rect()).adjusted(1, 1, -1, -1)
         lit = self._flashes % 2 == 1
         painter.setBrush(theme.colour("accent" if lit else "surface"))
-        chosen = self.isChecked() or self.hasFocus()
-        width = 2.0 if self.isChecked() else 1.0
-        painter.setPen(QPen(theme.colour("accent" if chosen else "line"), 3.0 if self.hasFocus() else width))
+        chosen = self.isChecked()
+        painter.setPen(QPen(theme.colour("accent" if chosen else "edge"), 2.0 if chosen else 1.0))
         painter.drawRoundedRect(edge, RADIUS, RADIUS)
+        if self.hasFocus():
+            paint_focus(painter, edge, RADIUS, theme)
 
     def _paint_words(self, painter: QPainter, view: SensorView) -> None:
         theme, left, width = self._theme, INSET, self.width() - 2 * INSET
@@ -153,7 +156,7 @@ class SensorTile(QAbstractButton):
             line.setRight(self._paint_badge(painter, line, room, lit) - GRID)
         painter.setPen(theme.colour("on_accent" if lit else "text"))
         painter.setFont(strong)
-        name = QFontMetricsF(strong).elidedText(text, Qt.TextElideMode.ElideRight, line.width())
+        name = fitted(painter, text, line.width())
         painter.drawText(line, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, name)
         self._paint_condition(painter, view, QRectF(left, line.bottom() + 2, width, 3 * GRID), lit)
 
@@ -177,13 +180,14 @@ class SensorTile(QAbstractButton):
         theme, health = self._theme, view.condition.health
         colour = theme.colour("on_accent" if lit else health or "text_dim")
         icons.paint(painter, QRectF(line.left(), line.center().y() - 9, 18, 18), _ICONS[health], colour)
-        font = theme.font("small", QFont.Weight.DemiBold)
+        font, plain = theme.font("small", QFont.Weight.DemiBold), theme.font("small")
+        used = 24 + QFontMetricsF(font).horizontalAdvance(view.condition.word) + 2 * GRID
+        roomy = QFontMetricsF(plain).horizontalAdvance(view.rate) + used <= line.width()
+        word = view.short_rate if health == "good" and not roomy and view.short_rate else view.condition.word
         painter.setFont(font)
         painter.setPen(colour)
-        painter.drawText(line.adjusted(24, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, view.condition.word)
-        used = 24 + QFontMetricsF(font).horizontalAdvance(view.condition.word) + 2 * GRID
-        plain = theme.font("small")
-        if QFontMetricsF(plain).horizontalAdvance(view.rate) + used <= line.width():
+        painter.drawText(line.adjusted(24, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, word)
+        if roomy:
             painter.setFont(plain)
             painter.setPen(theme.colour("on_accent" if lit else "text_dim"))
             right = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight

@@ -10,6 +10,7 @@ from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label
+from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.sensors.turns import Schedule
 from fruitgui.station.turn_plan import TurnPlan
 
@@ -56,12 +57,12 @@ class TurnPicture(QWidget):
         names = min(max(metrics.horizontalAdvance(one) for one in self._sensors), self.width() * 0.4) + GRID
         count = ROUNDS * len(self._schedule.slots)
         step = (self.width() - names) / count
-        painter.setFont(font)
         high = self._row()
         for row, sensor in enumerate(self._sensors):
             line = QRectF(0, row * high, names, high)
             painter.setPen(theme.colour("text_dim"))
-            text = metrics.elidedText(sensor, Qt.TextElideMode.ElideRight, names - GRID)
+            painter.setFont(font)
+            text = fitted(painter, sensor, names - GRID)
             painter.drawText(line, Qt.AlignmentFlag.AlignVCenter, text)
             painter.setPen(Qt.PenStyle.NoPen)
             always = not self._schedule.alternates(sensor)

@@ -111,6 +111,11 @@ def rate_text(health: SensorHealth | None) -> str:
     )
 
 
+def short_rate_text(health: SensorHealth | None) -> str:
+    """Return pictures per second where there is no room for a sentence."""
+    return "" if health is None else f"{number_text(health.rate_hz, 1)}/s"
+
+
 def lost_text(health: SensorHealth | None) -> str:
     """Return how many pictures were lost."""
     if health is None:

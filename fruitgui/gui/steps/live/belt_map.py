@@ -13,9 +13,13 @@ from fruitgui.gui.drawn import BeltMap, MappedFruit
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import Theme
-from fruitgui.gui.theme.tokens import GRID, RADIUS
+from fruitgui.gui.theme.tokens import DARK, GRID, RADIUS
 from fruitgui.gui.widgets.kind_mark import mark_pixmap, point_pixmap
 from fruitgui.gui.widgets.strokes import ellipse, on_screen, paint_lines, path_of
+
+PAPER, INK, DIM = (QColor(one) for one in (DARK.surface, DARK.text, DARK.text_dim))
+SEEN, WARN, BAD = (QColor(one) for one in (DARK.accent, DARK.warn, DARK.bad))
+"""It lies on a picture's ground, dark in either theme: trails of a light kind would not be seen on a light one."""
 
 MARGIN = 0.04
 LETTERS_FROM_PX = 9.0
@@ -54,7 +58,7 @@ class BeltView(QWidget):
                 self._paint_words(painter, belt)
             else:
                 painter.setFont(self._theme.font("small"))
-                painter.setPen(self._theme.colour("text_dim"))
+                painter.setPen(DIM)
                 text = self.tr("The belt from above appears here while a lot runs.")
                 painter.drawText(QRectF(self.rect()), Qt.AlignmentFlag.AlignCenter, text)
 
@@ -71,19 +75,20 @@ class BeltView(QWidget):
     def _ground_of(self, belt: BeltMap, to_screen: QTransform) -> QPixmap:
         """Return what the sensors see of the belt, drawn anew only where that changed."""
         corners = tuple((sensor, one.tobytes()) for sensor, one in belt.footprints_m.items())
-        key = ("belt", corners, sorted(belt.blind), self.size().toTuple(), self.devicePixelRatioF(), self._theme.name)
+        ratio, text_scale = self.devicePixelRatioF(), self._theme.text_scale
+        key = ("belt", corners, sorted(belt.blind), self.size().toTuple(), ratio, text_scale)
 
         def paint(painter: QPainter) -> None:
             for number, sensor in enumerate(belt.footprints_m):
                 self._paint_footprint(painter, sensor, to_screen, belt, number)
 
-        return stamp(key, lambda: drawn_pixmap(self.width(), self.height(), self.devicePixelRatioF(), paint))
+        return stamp(key, lambda: drawn_pixmap(self.width(), self.height(), ratio, paint))
 
     def _paint_footprint(
         self, painter: QPainter, sensor: str, to_screen: QTransform, belt: BeltMap, number: int
     ) -> None:
         blind = sensor in belt.blind
-        colour = self._theme.colour("bad" if blind else "accent")
+        colour = BAD if blind else SEEN
         fill = QColor(colour)
         fill.setAlpha(18)
         painter.setBrush(Qt.BrushStyle.BDiagPattern if blind else fill)
@@ -91,7 +96,7 @@ class BeltView(QWidget):
         polygon = path_of([on_screen(belt.footprints_m[sensor], to_screen)], closed=True)
         painter.drawPath(polygon)
         painter.setFont(self._theme.font("small"))
-        painter.setPen(self._theme.colour("bad" if blind else "text_dim"))
+        painter.setPen(BAD if blind else DIM)
         box = polygon.boundingRect().adjusted(GRID, GRID / 2, -GRID, -GRID / 2)
         side = Qt.AlignmentFlag.AlignTop if number % 2 == 0 else Qt.AlignmentFlag.AlignBottom
         painter.drawText(box, side | Qt.AlignmentFlag.AlignRight, sensor)
@@ -108,13 +113,13 @@ class BeltView(QWidget):
             draw = mark_pixmap if size >= 2.0 * LETTERS_FROM_PX else point_pixmap
             painter.drawPixmap(QPointF(x - size / 2, y - size / 2), draw(one.mark, size, ratio))
         ellipses = [ellipse(one.ellipse, to_screen) for one in fruit]
-        paint_lines(painter, ellipses, self._theme.colour("text"), closed=True)
+        paint_lines(painter, ellipses, INK, closed=True)
 
     def _paint_speed(self, painter: QPainter, belt: BeltMap) -> None:
         if belt.speed_m_s is None:
             return
         painter.setFont(self._theme.font("small", QFont.Weight.DemiBold))
-        painter.setPen(self._theme.colour("text_dim"))
+        painter.setPen(DIM)
         text = f"→  {number_text(belt.speed_m_s, 2)}{THIN}m/s"
         painter.drawText(QRectF(self.rect()).adjusted(GRID, GRID / 2, -GRID, -GRID / 2),
                          Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, text)  # fmt: skip
@@ -129,8 +134,8 @@ class BeltView(QWidget):
         room = QRectF(self.rect()).adjusted(3 * GRID, GRID, -3 * GRID, -GRID)
         text = painter.boundingRect(room, wrapped, belt.words)
         text.moveBottom(self.height() - GRID)
-        painter.setPen(QPen(theme.colour("bad" if belt.lost else "warn"), 1.5))
-        painter.setBrush(theme.colour("surface"))
+        painter.setPen(QPen(BAD if belt.lost else WARN, 1.5))
+        painter.setBrush(PAPER)
         painter.drawRoundedRect(text.adjusted(-GRID, -GRID / 2, GRID, GRID / 2), RADIUS, RADIUS)
-        painter.setPen(theme.colour("text"))
+        painter.setPen(INK)
         painter.drawText(text, wrapped, belt.words)

@@ -15,6 +15,7 @@ from fruitgui.gui.numbers import THIN, count_text, number_text
 from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.kind_mark import paint_mark
 
 TALLEST, LEAST = 168, 26
@@ -162,7 +163,7 @@ class CountsView(QWidget):
         grown = min(0.5 + 0.5 * box.height() / ROOMY, LARGEST_WORDS)
         painter.setFont(self._words("title" if box.height() >= ROOMY else "body", grown, QFont.Weight.Medium))
         painter.setPen(theme.colour("text"))
-        name = QFontMetricsF(painter.font()).elidedText(line.name, Qt.TextElideMode.ElideRight, box.width())
+        name = fitted(painter, line.name, box.width())
         left = Qt.AlignmentFlag.AlignLeft
         if not two:
             painter.drawText(box, left | Qt.AlignmentFlag.AlignVCenter, name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPainterPath, QPaintEvent, QPixmap
+from PySide6.QtGui import QFont, QPainter, QPainterPath, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.gui.drawn import LastFruit
@@ -14,6 +14,7 @@ from fruitgui.gui.theme.kinds import UNKNOWN
 from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.kind_mark import paint_mark
 
 HEIGHT = 88
@@ -86,9 +87,9 @@ class LastFruitView(QWidget):
         painter.setFont(theme.font("body", QFont.Weight.DemiBold))
         painter.setPen(theme.colour("text"))
         name = QRectF(mark.right() + GRID / 2, text.top(), text.right() - mark.right() - GRID / 2, third)
-        elided = QFontMetricsF(painter.font()).elidedText(fruit.name, Qt.TextElideMode.ElideRight, name.width())
+        shown = fitted(painter, fruit.name, name.width())
         left = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
-        painter.drawText(name, left, elided)
+        painter.drawText(name, left, shown)
         painter.setFont(theme.font("small"))
         painter.drawText(QRectF(text.left(), text.top() + third, text.width(), third), left,
                          measured_text(fruit.volume_ml, fruit.volume_std_ml, "ml"))  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QObject, QSize
+from PySide6.QtCore import QEvent, QObject, QSize, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
 
@@ -24,7 +24,13 @@ MOST_COLUMNS = 4
 
 
 class Pictures(QWidget):
-    """One picture for each sensor, arranged by their number; one of them can be made large."""
+    """One picture for each sensor, arranged by their number; one of them can be made large.
+
+    Attributes:
+        enlarged: whether one is large now.
+    """
+
+    enlarged = Signal(bool)
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -48,11 +54,13 @@ class Pictures(QWidget):
             picture.pressed.connect(self.toggle)
         self._large = None
         self._arrange()
+        self.enlarged.emit(False)
 
     def toggle(self, sensor: str) -> None:
         """Make one picture large, or all alike again."""
         self._large = None if self._large == sensor else sensor
         self._arrange()
+        self.enlarged.emit(self._large is not None)
 
     def _arrange(self) -> None:
         shown = [one for one in self.pictures if self._large in (None, one)]
@@ -82,6 +90,7 @@ class LiveLayout(QWidget):
             (belt_card, self.belt), (counts_card, self.counts), (histogram_card, self.histogram),
         ):  # fmt: skip
             card.body.addWidget(widget)
+        belt_card.setProperty("role", "picture")
         left, right, whole = QVBoxLayout(), QVBoxLayout(), QHBoxLayout(self)
         for column in (left, right, whole):
             column.setContentsMargins(0, 0, 0, 0)
@@ -101,6 +110,8 @@ class LiveLayout(QWidget):
         self._menu = QMenu(self._shown)
         self._shown.setMenu(self._menu)
         self.pictures.installEventFilter(self)
+        self.pictures.enlarged.connect(self._give_way)
+        self._belt_card = belt_card
         theme.changed.connect(self._draw)
         self._theme = theme
         self._draw()
@@ -123,6 +134,11 @@ class LiveLayout(QWidget):
         if event.type() == QEvent.Type.LanguageChange:
             self._say_words()
         super().changeEvent(event)
+
+    def _give_way(self, enlarged: bool) -> None:
+        """Give a large picture all the room at the left: only there its labels have words in the least window."""
+        for one in (self._belt_card, self.last):
+            one.setVisible(not enlarged)
 
     def _draw(self) -> None:
         self._shown.setIcon(icons.icon("layers", self._theme.colour("text")))

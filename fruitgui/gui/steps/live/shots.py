@@ -32,6 +32,7 @@ from fruitgui.station.workspace import open_workspace
 SEED = 1
 ENOUGH_FRUIT = 40
 LONG_MS = 300_000
+WELL_S = 0.3
 MANY = ("lemon", "red apple", "green apple", "avocado, Chilean", "quince", "persimmon", "pear, Packham's Triumph")
 MANY_FRUIT = 3000
 LOT = LotPlan("1184", "Fundo El Peñón")
@@ -89,6 +90,8 @@ def _line(stage: Stage, state: str) -> Iterator[QWidget]:
                 stage.wait_until(lambda: "Quince" in page.body.counts.accessibleDescription())
             if state == "large":
                 page.body.pictures.toggle("kinect_1")
+            if state in ("running", "large"):
+                stage.wait_until(partial(_all_is_well, session, page), LONG_MS)
             yield window
 
 
@@ -111,6 +114,13 @@ def _many_kinds() -> Tally:
 def _sensors_run(session: Session) -> bool:
     health = session.connected.health
     return bool(health) and all(one.state is Running.RUNNING for one in health.values())
+
+
+def _all_is_well(session: Session, page: LivePage) -> bool:
+    """Whether a busy computer keeps up again, and no picture is of a while ago."""
+    state, pictures = session.running.state, page.body.pictures.pictures.values()
+    stale = any(one.accessibleDescription() for one in pictures)
+    return state is not None and state.latency_s < WELL_S and _sensors_run(session) and not stale
 
 
 def _set_up(stage: Stage) -> Path:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
+from fruitgui.gui.widgets.fitting import fitted
 
 HEIGHT, TALLEST = 64, 144
 """Pixels: it is as high as its width asks for, so that it is read from as far as the counts."""
@@ -59,7 +60,7 @@ class StandingBand(QWidget):
             painter.setFont(self._fitting(self._words, text.width()))
             painter.drawText(text, left | Qt.AlignmentFlag.AlignTop, self._words)
             painter.setFont(self._grown("small", QFont.Weight.Medium))
-            why = QFontMetricsF(painter.font()).elidedText(self._why, Qt.TextElideMode.ElideRight, text.width())
+            why = fitted(painter, self._why, text.width())
             painter.drawText(text, left | Qt.AlignmentFlag.AlignBottom, why)
 
     def _fitting(self, words: str, width: float) -> QFont:

@@ -23,6 +23,9 @@ from fruitgui.records.totals import KindTotal
 
 translate = QCoreApplication.translate
 
+MOST_MOMENTS = 3
+"""So many times of day are told of what came more often."""
+
 
 @dataclass(frozen=True, slots=True)
 class LotFigures:
@@ -171,9 +174,10 @@ def unseen_text(lot: Lot, now_s: float) -> str:
 
 
 def trouble_text(lot: Lot) -> str:
-    """Return what else left a lot in doubt: sensors that were moved, clocks that leapt; empty where nothing did."""
+    """Return what else left a lot in doubt: moved sensors, clocks that leapt, a model that knew few fruit."""
     moved = [one for one in lot.troubles if one.sort == "moved"]
     leapt = [one for one in lot.troubles if one.sort == "clock_jumped"]
+    unknown = [one for one in lot.troubles if one.sort == "mostly_unknown"]
     parts = []
     if moved:
         text = translate("Lots", "Moved since calibrated, from {time} on ({sensors}): sizes and counts may be wrong")
@@ -181,7 +185,16 @@ def trouble_text(lot: Lot) -> str:
     if leapt:
         text = translate("Lots", "Clocks leapt {count}× ({sensors}): fruit of that moment may be missing or twice")
         parts.append(text.format(count=count_text(len(leapt)), sensors=_names(leapt)))
+    if unknown:
+        text = translate("Lots", "Most fruit were unknown to the model at {times}: kinds may lack fruit")
+        parts.append(text.format(times=_moments(unknown)))
     return ". ".join(parts)
+
+
+def _moments(troubles: Sequence[Trouble]) -> str:
+    """Return when troubles were, the first few."""
+    times = ", ".join(clock_text(one.from_s) for one in troubles[:MOST_MOMENTS])
+    return f"{times} …" if len(troubles) > MOST_MOMENTS else times
 
 
 def _names(troubles: Sequence[Trouble]) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPainterPath
+from PySide6.QtGui import QFont, QImage, QPainter, QPainterPath
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QTableView
 
 from fruitgui.gui.kind_words import kind_name
@@ -16,6 +16,7 @@ from fruitgui.gui.steps.lots.paged_model import Index
 from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.records.fruit_record import FruitRecord
 
@@ -75,9 +76,7 @@ class FruitDelegate(QStyledItemDelegate):
         painter.setFont(self._theme.font("body", QFont.Weight.DemiBold))
         painter.setPen(self._theme.colour("text" if fruit.counted else "text_dim"))
         more = correction_text(fruit)
-        name = QFontMetricsF(painter.font()).elidedText(
-            kind_name(fruit.kind), Qt.TextElideMode.ElideRight, words.width()
-        )
+        name = fitted(painter, kind_name(fruit.kind), words.width())
         if not more:
             painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, name)
             return
@@ -86,7 +85,7 @@ class FruitDelegate(QStyledItemDelegate):
         painter.drawText(upper, Qt.AlignmentFlag.AlignBottom, name)
         painter.setFont(self._theme.font("small"))
         painter.setPen(self._theme.colour("warn"))
-        more = QFontMetricsF(painter.font()).elidedText(more, Qt.TextElideMode.ElideRight, words.width())
+        more = fitted(painter, more, words.width())
         painter.drawText(upper.translated(0, half), Qt.AlignmentFlag.AlignTop, more)
 
     def _paint_text(self, painter: QPainter, text: str, fruit: FruitRecord, box: QRectF) -> None:

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.gui.numbers import THIN, number_text
 from fruitgui.gui.steps.lots.fruit_pictures import Way
+from fruitgui.gui.theme.contrast import SHAPES, contrast
 from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
@@ -204,7 +205,8 @@ class WayView(QWidget):
         to_screen = to_screen.translate(-(max(xs) + min(xs)) / 2, -(max(ys) + min(ys)) / 2)
         points = QPolygonF([QPointF(x, y) for x, y in zip(xs, ys, strict=True)])
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(QColor(self._mark.colour), 2))
+        faint = contrast(self._mark.colour, self._theme.colours.raised) < SHAPES
+        painter.setPen(QPen(self._theme.colour("edge") if faint else QColor(self._mark.colour), 2))
         painter.drawPolyline(to_screen.map(points))
         fill = QColor(self._mark.colour)
         fill.setAlpha(90)

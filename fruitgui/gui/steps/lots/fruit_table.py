@@ -28,7 +28,9 @@ from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label
+from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.kind_mark import mark_pixmap
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.records.fruit_record import FruitRecord
 
 WIDTHS = {
@@ -63,7 +65,7 @@ class FruitTable(QWidget):
         self._theme = theme
         self._wanted = Wanted(0)
         self.model = FruitModel()
-        self.view, self.show_box, self.kind_box = QTableView(), QComboBox(), QComboBox()
+        self.view, self.show_box, self.kind_box = QTableView(), ChoiceBox(), ChoiceBox()
         self.found = label("", "dim")
         self._delegate = FruitDelegate(theme, self.view)
         self._empty, self._stack = EmptyPlace(theme, "search"), QStackedWidget()
@@ -125,6 +127,7 @@ class FruitTable(QWidget):
         view = self.view
         view.setModel(self.model)
         view.setItemDelegate(self._delegate)
+        reach(view)
         view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         view.setShowGrid(False)
         view.setTabKeyNavigation(False)

@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtWidgets import (
-    QCheckBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -27,6 +26,7 @@ from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label, set_health
 from fruitgui.gui.widgets.kind_mark import KindMarkView
 from fruitgui.gui.widgets.scrolled import Scrolled
+from fruitgui.gui.widgets.tick_box import TickBox
 from fruitgui.records.fruit_record import FruitRecord
 
 WIDEST_PICTURE, WIDEST_FACTS = 1100, 760
@@ -52,7 +52,7 @@ class FruitView(QWidget):
         self.back, self.before, self.after = QToolButton(), QToolButton(), QToolButton()
         self.title, self.place = label("", "title"), label("", "dim")
         self.mark = KindMarkView(UNKNOWN_MARK, 36)
-        self.picture, self.way, self.outline = FruitPicture(theme), WayView(theme), QCheckBox()
+        self.picture, self.way, self.outline = FruitPicture(theme), WayView(theme), TickBox()
         self.machine, self.person, self.said = label("", "dim"), label("", "strong"), label("", "small")
         self._facts = QGridLayout()
         self._lay_out()

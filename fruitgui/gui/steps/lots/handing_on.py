@@ -13,7 +13,7 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from fruitgui.gui.messages import Messages
-from fruitgui.gui.steps.lots.report import write_report
+from fruitgui.gui.steps.lots.report import doing_words, write_report
 from fruitgui.gui.tasks import Job, TaskRunner
 from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.told import Told, Words
@@ -59,7 +59,7 @@ class HandingOn(QObject):
         self._run(lambda: self.tr("Table of lot {name}").format(name=lot.name), job, path)
 
     def _run(self, name: Words, job: Job[None], path: Path) -> None:
-        task = self._tasks.run(name, job)
+        task = self._tasks.run(name, job, doing_words)
         task.succeeded.connect(lambda _: self._written(path))
         task.failed.connect(self._messages.error)
 

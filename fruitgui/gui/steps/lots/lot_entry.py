@@ -10,7 +10,7 @@ from PySide6.QtCore import QCoreApplication
 
 from fruitgui.gui.numbers import THIN, count_text, number_text
 from fruitgui.gui.steps.lots.words import L_PER_M3
-from fruitgui.gui.times import moment_text
+from fruitgui.gui.times import recent_text
 from fruitgui.records.lot import Lot
 from fruitgui.records.lot_search import LotLine
 
@@ -53,12 +53,12 @@ def state_of(lot: Lot, running: int | None) -> LotState:
     return LotState.PAUSED if lot.paused else LotState.RUNNING
 
 
-def lot_entry(line: LotLine, running: int | None) -> LotEntry:
+def lot_entry(line: LotLine, running: int | None, now_s: float) -> LotEntry:
     """Return a lot as it is listed."""
     lot = line.lot
     return LotEntry(
-        lot.key, state_of(lot, running), lot.name, lot.grower, moment_text(lot.started_s), count_text(line.fruit),
-        f"{number_text(line.volume_m3 * L_PER_M3, 1)}{THIN}l",
+        lot.key, state_of(lot, running), lot.name, lot.grower, recent_text(lot.started_s, now_s),
+        count_text(line.fruit), f"{number_text(line.volume_m3 * L_PER_M3, 1)}{THIN}l",
     )  # fmt: skip
 
 

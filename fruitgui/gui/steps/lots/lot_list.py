@@ -8,7 +8,6 @@ from typing import Any
 from PySide6.QtCore import QDate, QEvent, QModelIndex, QPoint, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
-    QComboBox,
     QDateEdit,
     QHBoxLayout,
     QLineEdit,
@@ -28,6 +27,9 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID, RADIUS
 from fruitgui.gui.widgets.cards import Card, EmptyPlace, label
+from fruitgui.gui.widgets.choice_box import ChoiceBox
+from fruitgui.gui.widgets.fitting import fitted
+from fruitgui.gui.widgets.reach import reach
 
 ROW = 84
 TYPED_MS = 200
@@ -100,7 +102,7 @@ class LotDelegate(QStyledItemDelegate):
 
     def _left(self, painter: QPainter, box: QRectF, text: str, colour: str) -> None:
         painter.setPen(self._theme.colour(colour))
-        text = QFontMetricsF(painter.font()).elidedText(text, Qt.TextElideMode.ElideRight, box.width())
+        text = fitted(painter, text, box.width())
         painter.drawText(box, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
 
     def _pair(self, painter: QPainter, box: QRectF, text: str, colour: str, icon: str = "") -> float:
@@ -134,7 +136,7 @@ class LotList(Card):
         super().__init__("", parent)
         self._theme = theme
         self.model = LotModel()
-        self.words, self.period = QLineEdit(), QComboBox()
+        self.words, self.period = QLineEdit(), ChoiceBox()
         self.first, self.last = QDateEdit(QDate.currentDate().addDays(-6)), QDateEdit(QDate.currentDate())
         self.view, self.store, self.found = QListView(), QToolButton(), label("", "small")
         self._empty = EmptyPlace(theme, "lots")
@@ -178,6 +180,7 @@ class LotList(Card):
         self.view.setModel(self.model)
         self.view.setItemDelegate(LotDelegate(self._theme, self.view))
         self.view.setUniformItemSizes(True)
+        reach(self.view)
         self.view.setVerticalScrollMode(QListView.ScrollMode.ScrollPerPixel)
         self.view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         for period in Period:

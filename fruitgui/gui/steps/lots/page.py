@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
 from PySide6.QtGui import QAction, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
@@ -203,7 +205,8 @@ class LotsPage(StepPage):
             self.lots.model.refresh()
 
     def _take_lots(self, page: int, found: LotPage) -> None:
-        self.lots.model.take(page, [lot_entry(line, self._line_lot) for line in found.lots], found.found)
+        now_s = time.time()
+        self.lots.model.take(page, [lot_entry(line, self._line_lot, now_s) for line in found.lots], found.found)
         if self._chosen is None and found.lots:
             self.choose(found.lots[0].lot.key)
         self._show()

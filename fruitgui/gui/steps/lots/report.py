@@ -36,6 +36,13 @@ UNSEEN_PT = (0.22, 0.12, 0.02, 0.64)
 
 MOST_LISTED = 60
 
+READING = "reading"
+
+
+def doing_words(doing: str) -> str:
+    """Return what of the report is being done: the lot is read, or else a file is written, which is named."""
+    return translate("LotReport", "Reading the lot") if doing == READING else doing
+
 
 def write_report(
     store: Store, lot: int, path: Path, now_s: float, marks: Sequence[KindMark] = (),
@@ -48,7 +55,7 @@ def write_report(
         WorldError: it cannot be read or written.
         CancelledByUserError: a person stopped it; no file is left.
     """
-    progress(0.0, translate("LotReport", "Reading the lot"))
+    progress(0.0, READING)
     report = report_lot(store, lot, now_s)
     unknown = store.fruit.find(FruitQuery(lot, kind=UNKNOWN, count=0)).found
     corrected = store.fruit.find(FruitQuery(lot, which="corrected", count=MOST_LISTED)).fruit

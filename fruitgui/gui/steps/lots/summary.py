@@ -30,7 +30,9 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.times import clock_text, duration_text
 from fruitgui.gui.widgets.cards import Card, label, set_health
+from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.kind_mark import paint_mark
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.records.distribution import Distribution
 
 ROW, HEAD = 28, 24
@@ -96,7 +98,7 @@ class KindTable(QWidget):
         painter.setPen(theme.colour("text"))
         painter.setFont(theme.font("body", QFont.Weight.DemiBold))
         width = box.width() - len(self._columns()) * FIGURE_WIDTH + 44 - side - GRID
-        name = QFontMetricsF(painter.font()).elidedText(row.name, Qt.TextElideMode.ElideRight, width)
+        name = fitted(painter, row.name, width)
         painter.drawText(box.adjusted(side + GRID, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, name)
         painter.setFont(theme.font("body"))
         self._write(painter, box, (row.fruit, row.mean, row.volume, row.mass))
@@ -217,6 +219,7 @@ class Summary(QScrollArea):
         inside.setProperty("role", "scrolled")
         self.setWidget(inside)
         self.setWidgetResizable(True)
+        reach(self)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         column = QVBoxLayout(inside)

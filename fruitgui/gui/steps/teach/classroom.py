@@ -141,7 +141,7 @@ class Classroom(QObject):
         if self._look is None and self.desk.can_look_through:
             self._named = 0
             job = work.looking_through(self._session.store, self.queries.wait_for_changes)
-            self._look = self._session.tasks.run(lambda: self.tr("Looking through the fruit"), job)
+            self._look = self._session.tasks.run(lambda: self.tr("Looking through the fruit"), job, work.looking_words)
             self._look.succeeded.connect(self._take_insight)
             self._look.failed.connect(self._session.messages.error)
             self._look.ended.connect(self._looked)

@@ -25,6 +25,7 @@ from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.widgets.cards import label, set_health
 from fruitgui.gui.widgets.kind_mark import KindMarkView
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.station.kinds_file import HEAVIEST_G_ML, LIGHTEST_G_ML
 
 MARK_PX = 28
@@ -106,6 +107,7 @@ class DensitiesDialog(QDialog):
             grid.addWidget(self.fields[line.kind], row, 3)
         grid.setRowStretch(len(lines) + 1, 1)
         scroll = QScrollArea()
+        reach(scroll)
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QFrame.Shape.NoFrame)
         scroll.setWidget(inside)

@@ -14,12 +14,16 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.view_pictures import ViewPictures
+from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.kind_mark import paint_mark
+from fruitgui.gui.widgets.reach import reach
 
 SMALLEST, USUAL, LARGEST = 128, 192, 384
 """Pixels: side of a tile."""
 
-FOOT = 30
+FOOT, TWO_ROWS = 30, 42
+"""Height of the words below: of one row, and of two where a name is too long for one."""
+
 MARK = 22
 PAPER = QColor(0, 0, 0, 150)
 INK = QColor("#ffffff")
@@ -98,7 +102,14 @@ class TileDelegate(QStyledItemDelegate):
             icons.paint(painter, disc.adjusted(5, 5, -5, -5), "scale", INK)
         if tile.mark is None:
             return
-        foot = QRectF(box.left(), box.bottom() - FOOT, box.width(), FOOT)
+        font = self._theme.font("small", QFont.Weight.DemiBold)
+        font.setItalic(tile.guessed)
+        room = box.width() - MARK - 2 * GRID
+        if tile.sure:
+            room -= QFontMetricsF(font).horizontalAdvance(tile.sure) + GRID
+        rows = 1 if QFontMetricsF(font).horizontalAdvance(tile.short) <= room else 2
+        high = FOOT if rows == 1 else TWO_ROWS
+        foot = QRectF(box.left(), box.bottom() - high, box.width(), high)
         clip = QPainterPath()
         clip.addRoundedRect(box, GRID, GRID)
         painter.setClipPath(clip)
@@ -107,17 +118,14 @@ class TileDelegate(QStyledItemDelegate):
         place = QRectF(foot.left() + GRID / 2, foot.center().y() - MARK / 2, MARK, MARK)
         paint_mark(painter, place, tile.mark)
         painter.setPen(INK)
-        font = self._theme.font("small", QFont.Weight.DemiBold)
-        font.setItalic(tile.guessed)
         painter.setFont(font)
         words, left = foot.adjusted(MARK + GRID, 0, -GRID, 0), Qt.AlignmentFlag.AlignVCenter
         if tile.other is not None:
             painter.drawText(words, left, "→")
             paint_mark(painter, place.translated(MARK + 3 * GRID, 0), tile.other)
         painter.drawText(words, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, tile.sure)
-        metrics = QFontMetricsF(font)
-        room = words.width() - (metrics.horizontalAdvance(tile.sure) + GRID if tile.sure else 0)
-        painter.drawText(words, left, metrics.elidedText(tile.short, Qt.TextElideMode.ElideRight, room))
+        words.setWidth(room)
+        _paint_name(painter, words, tile.short, rows)
 
     def _paint_frame(self, painter: QPainter, box: QRectF, state: QStyle.StateFlag) -> None:
         chosen = bool(state & QStyle.StateFlag.State_Selected)
@@ -129,6 +137,16 @@ class TileDelegate(QStyledItemDelegate):
         elif focused:
             painter.setPen(QPen(self._theme.colour("accent"), 2.0, Qt.PenStyle.DashLine))
             painter.drawRoundedRect(box, GRID, GRID)
+
+
+def _paint_name(painter: QPainter, box: QRectF, name: str, rows: int) -> None:
+    """Write a name in one row, or in two: its last word below."""
+    parts = [name] if rows == 1 else [part for part in name.rpartition(" ") if part.strip()]
+    high = min(box.height() / len(parts), QFontMetricsF(painter.font()).height() + 2)
+    top = box.center().y() - len(parts) * high / 2
+    for number, part in enumerate(parts):
+        row = QRectF(box.left(), top + number * high, box.width(), high)
+        painter.drawText(row, Qt.AlignmentFlag.AlignVCenter, fitted(painter, part, row.width()))
 
 
 class FruitGrid(QListView):
@@ -148,6 +166,7 @@ class FruitGrid(QListView):
         self.setModel(model)
         self.setItemDelegate(self._delegate)
         self.setViewMode(QListView.ViewMode.IconMode)
+        reach(self)
         self.setMovement(QListView.Movement.Static)
         self.setResizeMode(QListView.ResizeMode.Adjust)
         self.setUniformItemSizes(True)

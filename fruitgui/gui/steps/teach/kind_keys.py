@@ -15,6 +15,7 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.focus import paint_focus
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.station.labels import LONGEST_KIND
 from fruitgui.station.workflow import FRUIT_PER_KIND, SAMPLES_PER_KIND
@@ -68,11 +69,10 @@ class KindButton(QAbstractButton):
     def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
         """Draw it."""
         theme, box = self._theme, QRectF(self.rect()).adjusted(1, 1, -1, -1)
-        lit = self.hasFocus() or self.underMouse()
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setBrush(theme.colour("line" if self.isDown() else "raised"))
-            painter.setPen(QPen(theme.colour("accent" if lit else "line"), 2.0 if self.hasFocus() else 1.0))
+            painter.setPen(QPen(theme.colour("accent" if self.underMouse() else "edge"), 1.0))
             painter.drawRoundedRect(box, GRID, GRID)
             left = QRectF(box.left() + GRID, box.top() + 0.75 * GRID, MARK, MARK)
             paint_mark(painter, left, self.mark)
@@ -82,6 +82,9 @@ class KindButton(QAbstractButton):
             )
             self._paint_words(painter, words)
             self._paint_bar(painter, box)
+            painter.setClipping(False)
+            if self.hasFocus():
+                paint_focus(painter, box, GRID, theme)
 
     def _paint_key(self, painter: QPainter, cap: QRectF) -> None:
         """Draw the key as a key."""

@@ -84,7 +84,7 @@ class Lessons(QObject):
     def _teach(self, name: Words, job: Job[Lesson]) -> None:
         if self._lesson is not None:
             return
-        self._lesson = self._session.tasks.run(name, job)
+        self._lesson = self._session.tasks.run(name, job, work.lesson_words)
         self._lesson.succeeded.connect(self._learned)
         self._lesson.failed.connect(self._session.messages.error)
         self._lesson.ended.connect(self._ended)

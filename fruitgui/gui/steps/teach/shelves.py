@@ -16,6 +16,7 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.kinds import KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.kind_mark import mark_pixmap
 
 ICON_PX = 20
@@ -64,7 +65,7 @@ class Shelves(QWidget):
         self._counts = dict.fromkeys(Pile, 0)
         self.shelf = Shelf()
         self.piles = {pile: QPushButton() for pile in Pile}
-        self.kinds, self.scale = QComboBox(), QSlider(Qt.Orientation.Horizontal)
+        self.kinds, self.scale = ChoiceBox(), QSlider(Qt.Orientation.Horizontal)
         self.tools = [ToolActionButton(action, theme) for action in tools]
         self._group = QButtonGroup(self)
         row = QHBoxLayout(self)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -58,8 +59,19 @@ def opening(store: Store, path: Path, station: Station) -> Job[Lesson]:
 
 
 def _so_far(frames: int, fruit: int) -> str:
+    return f"{fruit} {frames}"
+
+
+def lesson_words(doing: str) -> str:
+    """Return how far a lesson is; as it is where that is no two numbers."""
+    match = re.fullmatch(r"(?P<fruit>\d+) (?P<frames>\d+)", doing)
     said = translate("Teach", "{fruit} fruit came in, {frames} pictures were looked at")
-    return said.format(fruit=fruit, frames=frames)
+    return doing if match is None else said.format(**match.groupdict())
+
+
+def looking_words(_doing: str) -> str:
+    """Return what is being done while the fruit are looked through, whatever the core is at."""
+    return translate("Teach", "Learning from what is named so far")
 
 
 def looking_through(store: Store, saved: Callable[[], None]) -> Job[Insight]:
@@ -71,9 +83,8 @@ def looking_through(store: Store, saved: Callable[[], None]) -> Job[Insight]:
     """
 
     def job(progress: Progress, cancelled: Cancelled) -> Insight:
-        said = translate("Teach", "Learning from what is named so far")
         saved()
-        return look_through(store.teaching, SEED, lambda share, _: progress(share, said), cancelled)
+        return look_through(store.teaching, SEED, progress, cancelled)
 
     return job
 

@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from PySide6.QtCore import QCoreApplication
 
 from fruitgui.gui.kind_words import kind_name
-from fruitgui.progress import Progress
 
 translate = QCoreApplication.translate
 
@@ -47,8 +46,3 @@ def in_words(said: str) -> str:
             kinds = {name: kind_name(value) for name, value in match.groupdict().items() if name in KINDS}
             return text.format(**{**match.groupdict(), **kinds})
     return said
-
-
-def worded(progress: Progress) -> Progress:
-    """Return a progress that takes the core's words and passes them on in the operator's language."""
-    return lambda share, doing: progress(share, in_words(doing))

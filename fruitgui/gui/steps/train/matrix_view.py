@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.gui.kind_words import kind_name
@@ -13,6 +13,7 @@ from fruitgui.gui.steps.train.report import Matrix, MatrixRow, interval_text
 from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.kind_mark import paint_mark
 
 TALLEST, LOWEST = 96.0, 22.0
@@ -77,7 +78,7 @@ class MatrixView(QWidget):
         painter.setFont(theme.font("body", QFont.Weight.Medium))
         painter.setPen(theme.colour("text"))
         words = QRectF(MARK + GRID, top, NAME - MARK - 2 * GRID, cell.height())
-        name = QFontMetricsF(painter.font()).elidedText(kind_name(row.kind), Qt.TextElideMode.ElideRight, words.width())
+        name = fitted(painter, kind_name(row.kind), words.width())
         painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, name)
         total = max(sum(row.counts), 1)
         for number, (kind, count) in enumerate(zip(matrix.columns, row.counts, strict=True)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from fruitgui.classification.account import CurvePoint
@@ -117,7 +117,7 @@ class VolumePlot(Plot):
         true_ml = one.true_m3 * ML_PER_M3
         before = axes.at(true_ml, one.fitted_m3.value * ML_PER_M3)
         after = axes.at(true_ml, one.corrected_m3.value * ML_PER_M3)
-        painter.setPen(QPen(QColor(mark.colour), 1.5))
+        painter.setPen(QPen(self._theme.colour("text_dim"), 1.5))
         low, high = (axes.at(true_ml, end * ML_PER_M3) for end in _ends(one.corrected_m3))
         painter.drawLine(low, high)
         painter.setBrush(Qt.BrushStyle.NoBrush)

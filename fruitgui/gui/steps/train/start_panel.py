@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
-from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtGui import QFont, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from fruitgui.classification.intervals import Rate
@@ -18,6 +18,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.times import moment_text
 from fruitgui.gui.widgets.cards import Card, label, set_health
+from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.kind_mark import paint_mark
 from fruitgui.records.models import ModelVersion
 from fruitgui.station.candidate import Candidate
@@ -63,9 +64,7 @@ class TaughtView(QWidget):
         paint_mark(painter, QRectF(0, middle - side / 2, side, side), self._marks.get(kind, UNKNOWN_MARK))
         painter.setFont(theme.font("body", QFont.Weight.Medium))
         painter.setPen(theme.colour("text"))
-        name = QFontMetricsF(painter.font()).elidedText(
-            kind_name(kind), Qt.TextElideMode.ElideRight, NAME - MARK - GRID
-        )
+        name = fitted(painter, kind_name(kind), NAME - MARK - GRID)
         painter.drawText(QRectF(MARK + GRID, box.top(), NAME, box.height()), left, name)
         share = min(samples / SAMPLES_PER_KIND, fruit / FRUIT_PER_KIND, 1.0)
         track = QRectF(NAME + 2 * GRID, middle - BAR / 2, max(box.width() - NAME - 24 * GRID, 40.0), BAR)

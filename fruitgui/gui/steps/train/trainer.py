@@ -14,7 +14,7 @@ from fruitgui.errors import FruitguiError
 from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
-from fruitgui.gui.steps.train.core_words import worded
+from fruitgui.gui.steps.train.core_words import in_words
 from fruitgui.gui.tasks import Job, Task
 from fruitgui.gui.told import Told, Words
 from fruitgui.progress import Cancelled, Progress
@@ -101,7 +101,7 @@ class Trainer(QObject):
         if self.busy:
             return
         job = training(self._session.store, self._session.workspace, self._session.station)
-        self._task = self._session.tasks.run(lambda: self.tr("Training"), job)
+        self._task = self._session.tasks.run(lambda: self.tr("Training"), job, in_words)
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self._session.messages.error)
         self._task.cancelled.connect(self._stopped)
@@ -208,7 +208,7 @@ def training(store: Store, workspace: Workspace, station: Station | None) -> Job
         folder.mkdir(exist_ok=True)
         out = folder / BEING_MADE
         try:
-            trained = train_store(store, _reads(workspace, station), out, SEED, worded(progress), cancelled)
+            trained = train_store(store, _reads(workspace, station), out, SEED, progress, cancelled)
             keep_candidate(folder, candidate_of(trained).facts)
             return trained
         finally:

@@ -15,7 +15,7 @@ from fruitgui.gui.steps.connect.depth.course import Course, Stage, Typed
 from fruitgui.gui.steps.connect.depth.keeping import corrected, keep_depth
 from fruitgui.gui.steps.connect.depth.panel import MeasurePanel
 from fruitgui.gui.steps.connect.depth.result_view import ResultView
-from fruitgui.gui.steps.connect.depth.work import Taken, Worked, taking, working_out
+from fruitgui.gui.steps.connect.depth.work import Taken, Worked, taking, taking_words, working_out, working_words
 from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.simulation.show import SHOWN_BALL_M, SHOWN_BOARD_M, SHOWN_RAISE_M, Showing
@@ -212,9 +212,8 @@ class DepthWizard(QWidget):
         course, feed = self._course, self._session.connected.feed
         if course is None or feed is None or self._task is not None or not self._ready:
             return
-        task = self._session.tasks.run(
-            lambda: self.tr("Measuring depth"), taking(feed, course.sensor, bare=course.stage is Stage.BELT)
-        )
+        job = taking(feed, course.sensor, bare=course.stage is Stage.BELT)
+        task = self._session.tasks.run(lambda: self.tr("Measuring depth"), job, taking_words)
         self._task = task
         task.succeeded.connect(self._took)
         self._follow(task)
@@ -241,7 +240,8 @@ class DepthWizard(QWidget):
     def _work_out(self, course: Course) -> None:
         measured = course.measurements()
         if measured is not None:
-            task = self._session.tasks.run(lambda: self.tr("Working out the correction"), working_out(measured))
+            job = working_out(measured)
+            task = self._session.tasks.run(lambda: self.tr("Working out the correction"), job, working_words)
             self._task = task
             task.succeeded.connect(self._worked)
             task.cancelled.connect(self._step_back)

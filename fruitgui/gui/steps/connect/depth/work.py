@@ -34,10 +34,9 @@ class Worked:
 
 def taking(feed: Feed, sensor: str, *, bare: bool) -> Job[Taken]:
     """Return the job of taking a picture of a sensor's belt, bare or not."""
-    doing = translate("Depth", "Taking pictures: keep hands away")
 
     def job(progress: Progress, cancelled: Cancelled) -> Taken:
-        still = take_still(feed, sensor, lambda share, _: progress(share, doing), cancelled)
+        still = take_still(feed, sensor, progress, cancelled)
         return Taken(still, belt_of(still) if bare else None)
 
     return job
@@ -45,9 +44,18 @@ def taking(feed: Feed, sensor: str, *, bare: bool) -> Job[Taken]:
 
 def working_out(measured: Measurements) -> Job[Worked]:
     """Return the job of working out the correction."""
-    doing = translate("Depth", "Working out the correction")
 
     def job(progress: Progress, cancelled: Cancelled) -> Worked:
-        return Worked(measure_depth(measured, lambda share, _: progress(share, doing), cancelled))
+        return Worked(measure_depth(measured, progress, cancelled))
 
     return job
+
+
+def taking_words(_doing: str) -> str:
+    """Return what a person does while pictures are taken, whatever the core is at."""
+    return translate("Depth", "Taking pictures: keep hands away")
+
+
+def working_words(_doing: str) -> str:
+    """Return what is being done while the correction is worked out."""
+    return translate("Depth", "Working out the correction")

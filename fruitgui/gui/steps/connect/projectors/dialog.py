@@ -14,6 +14,7 @@ from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label, set_role
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.gui.widgets.working import Working
 from fruitgui.station.projector_job import Tried
 from fruitgui.station.projectors import Projectors
@@ -82,6 +83,7 @@ class ProjectorsDialog(QDialog):
     def _lay_out(self) -> None:
         self._note.setWordWrap(True)
         self._scroll.setWidgetResizable(True)
+        reach(self._scroll)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         buttons = QHBoxLayout()
         buttons.setSpacing(GRID)
