@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from PySide6.QtCore import QCoreApplication, QDateTime, QLocale
+
 from fruitgui.errors import FruitguiError
 from fruitgui.records.lot import Lot
 from fruitgui.records.set_aside import SetAside
@@ -91,3 +93,9 @@ def begun(feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], so
     if plan.again is not None:
         feed.start()
     return Begun(feed, line, lot, sink, aside, () if model is None else tuple(model.kinds.kinds), totals)
+
+
+def source_name() -> str:
+    """Return what unknown fruit of a run are said to come from."""
+    began = QLocale().toString(QDateTime.currentDateTime(), QLocale.FormatType.ShortFormat)
+    return QCoreApplication.translate("Running", "Unknown, {time}").format(time=began)

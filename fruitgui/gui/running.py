@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from PySide6.QtCore import QCoreApplication, QDateTime, QLocale, QObject, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from fruitgui.errors import FruitguiError, WorldError
-from fruitgui.gui.beginning import Begun, LinePlan, begun
+from fruitgui.gui.beginning import Begun, LinePlan, begun, source_name
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.numbers import count_text
@@ -34,6 +34,8 @@ translate = QCoreApplication.translate
 
 TICK_MS = 100
 CLOSE_S = 6.0
+STARTS, IN_VIEW = "starts", "in view"
+"""What a job of the line's is at."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -153,7 +155,7 @@ class Running(QObject):
             if line is None:
                 ended = self._store.lots.end_left_open(lot.key)
             else:
-                progress(0.0, translate("Running", "Counting the fruit still in view"))
+                progress(0.0, IN_VIEW)
                 line.stop()
                 ended = self._store.lots.end(lot.key)
             return EndedLot(ended, sum(one.fruit for one in self._store.lots.totals(lot.key)))
@@ -177,8 +179,8 @@ class Running(QObject):
             self._connected.release()
 
         def job(progress: Progress, cancelled: Cancelled) -> Begun:  # noqa: ARG001 - it takes a second or two
-            progress(0.0, translate("Running", "Starting the line"))
-            return begun(now, plan, self._store, lot, _source_name())
+            progress(0.0, STARTS)
+            return begun(now, plan, self._store, lot, source_name())
 
         self._run(lambda: translate("Running", "Starting the lot"), job, self._begun)
 
@@ -211,7 +213,7 @@ class Running(QObject):
         self.changed.emit()
 
     def _run(self, name: Words, job: Job[T], done: Callable[[T], None]) -> Task[T]:
-        task = self._tasks.run(name, job)
+        task = self._tasks.run(name, job, _doing)
         task.succeeded.connect(done)
         task.failed.connect(self._failed)
         return task
@@ -274,6 +276,15 @@ class Running(QObject):
         self._messages.say(Message(Level.BAD, _sensors_changed, stays=True))
 
 
+def _doing(said: str) -> str:
+    """Return what a job is at in the language in force."""
+    words = {
+        STARTS: translate("Running", "Starting the line"),
+        IN_VIEW: translate("Running", "Counting the fruit still in view"),
+    }
+    return words.get(said, said)
+
+
 def _ended_told(ended: EndedLot) -> Told:
     text = translate("Running", "Lot {name} is ended with {count} fruit.")
     return Told(text.format(name=ended.lot.name, count=count_text(ended.fruit)))
@@ -284,9 +295,3 @@ def _sensors_changed() -> Told:
         translate("Running", "The sensors were changed, so the line was stopped."),
         translate("Running", "The lot is still open: go on with it on the live screen."),
     )
-
-
-def _source_name() -> str:
-    """Return what unknown fruit of a run are said to come from."""
-    began = QLocale().toString(QDateTime.currentDateTime(), QLocale.FormatType.ShortFormat)
-    return translate("Running", "Unknown, {time}").format(time=began)

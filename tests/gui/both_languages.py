@@ -14,9 +14,6 @@ from fruitgui.gui.messages import Level, Message
 from fruitgui.gui.tasks import Task
 from fruitgui.resources import folder
 
-MOMENTS = ("Starting the line", "Stopping the line", "Counting the fruit still in view")
-"""Said for a second or two of a line that starts or stops: over before anybody has chosen another language."""
-
 
 class _Hush(QObject):
     """Keeps from all widgets that the language is another one for a moment."""
@@ -58,7 +55,7 @@ class BothLanguages:
 
     def hear_doing(self, task: Task[object], said: str) -> None:
         """Take note of what a task says of its progress, if that is a sentence and no name of a file or a sensor."""
-        if said in MOMENTS or not re.search(r"[A-Za-z]{2,} [a-z]{2,}", said):
+        if not re.search(r"[A-Za-z]{2,} [a-z]{2,}", said):
             return
         with self._spanish():
             if task.doing == said:
