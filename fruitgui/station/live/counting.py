@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import queue
 from collections import deque
 from collections.abc import Callable, Sequence
-from typing import Protocol
+from functools import partial
+from typing import Protocol, TypeVar
 
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.live.state import Finished, KindTotal, LiveWarning, Totals
@@ -12,6 +14,9 @@ from fruitgui.station.live.warnings import Warnings
 from fruitgui.station.sink import CountedFruit
 from fruitgui.station.waiting import BufferedSink, SinkState
 
+T = TypeVar("T")
+
+RETRY_S = 2.0
 LAST_FRUIT = 12
 UNKEPT = 256
 """Fruit that wait to be kept and are shown with their pictures once they are; beyond that only their number is."""
@@ -109,6 +114,41 @@ class Counting:
         problem = self._sink.state.problem
         if problem is not None:
             self._warnings.add("not_kept", f"{problem.what} {problem.remedy}", ())
+
+
+def count_all(
+    take: Callable[[float], T | None],
+    count: Callable[[T], None],
+    retry: Callable[[], None],
+    warn: Callable[[str, str, tuple[str, ...]], None],
+) -> None:
+    """Count one thing after the other, and try again to keep what waits whenever nothing comes, and at the end.
+
+    What cannot be counted is said, and ends nothing.
+
+    Args:
+        take: returns the next thing within a time, None behind the last; raises `queue.Empty` where none comes.
+        count: counts it.
+        retry: keeps what waits.
+        warn: told what went wrong: code, text, sensors.
+    """
+
+    def attempt(do: Callable[[], None]) -> None:
+        try:
+            do()
+        except Exception as error:  # noqa: BLE001 - one fruit must not end the line; it is said
+            warn("fruit_not_counted", f"A fruit was followed but could not be counted: {error}", ())
+
+    while True:
+        try:
+            one = take(RETRY_S)
+        except queue.Empty:
+            attempt(retry)
+            continue
+        if one is None:
+            break
+        attempt(partial(count, one))
+    attempt(retry)
 
 
 def _with(totals: Totals, fruit: Fruit) -> Totals:

@@ -14,7 +14,7 @@ from functools import partial
 from fruitgui.sensors.feed import ByCapture
 from fruitgui.station.lineup import line_up
 from fruitgui.station.live.bench import Bench
-from fruitgui.station.live.counting import Counts
+from fruitgui.station.live.counting import Counts, count_all
 from fruitgui.station.live.finishing import Finishing
 from fruitgui.station.live.first_look import FirstLook, Leaving
 from fruitgui.station.live.following import Following
@@ -37,7 +37,7 @@ FRUIT_AHEAD = 64
 """Fruit that wait to be measured and kept before the line waits for them."""
 
 LATENCIES = 30
-TAKE_S, RETRY_S = 0.2, 2.0
+TAKE_S = 0.2
 STOP_S = 15.0
 HURRY_S = 3.0
 """For fruit that are not measured when the time to stop is over: they are sized roughly, which takes no time."""
@@ -283,24 +283,9 @@ class LiveLine:
     # The third thread: fruit measured, kept, counted.
 
     def _count_all(self) -> None:
-        while True:
-            try:
-                weighing = self._weighings.take(RETRY_S)
-            except queue.Empty:
-                self._attempt(self._counting.retry)
-                continue
-            if weighing is None:
-                break
-            self._attempt(partial(self._count, weighing))
-        self._attempt(self._counting.retry)
+        count_all(self._weighings.take, self._count, self._counting.retry, self._warnings.add)
         if self._phase is Phase.RUNNING:
             self._phase = Phase.ENDED
 
     def _count(self, weighing: Weighing) -> None:
         self._counting.count(self._finishing.finish(weighing), weighing.lot)
-
-    def _attempt(self, count: Callable[[], None]) -> None:
-        try:
-            count()
-        except Exception as error:  # noqa: BLE001 - one fruit must not end the line; it is said
-            self._warnings.add("fruit_not_counted", f"A fruit was followed but could not be counted: {error}", ())

@@ -105,8 +105,8 @@ def test_stopping_counts_what_is_in_view_and_gives_everything_back() -> None:
     line.start()
     feed.start()
     until(lambda: line.state.frames == ALL_IN_VIEW, LONG_S)
-    memory = line._memory
-    assert memory is not None
+    assert line._between is not None
+    memory = line._between.memory
     assert sink.kept == []
     assert line.stop()
     assert line.stop(), "again does nothing"

@@ -6,22 +6,18 @@ import contextlib
 import queue
 import threading
 import time
-from collections import deque
-from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
-from multiprocessing.shared_memory import SharedMemory
 from typing import Any
 
 from fruitgui.errors import FruitguiError, WorldError
-from fruitgui.frame import U8
-from fruitgui.sensors.feed import Arrival, Feed, Subscription
+from fruitgui.sensors.feed import Arrival, Feed, SensorHealth, Subscription
 from fruitgui.station.lineup import line_up
+from fruitgui.station.live.apart.gallery import Gallery
 from fruitgui.station.live.apart.messages import Drawn, Ended, Made, NotMade, Out, Pictured, Shifted, Start, Taken
-from fruitgui.station.live.apart.process import PLACES, LineProcess, place_bytes
-from fruitgui.station.live.counting import Counting
+from fruitgui.station.live.apart.process import LineProcess, Places
+from fruitgui.station.live.counting import Counting, count_all
 from fruitgui.station.live.intake import LIVE, Intake
-from fruitgui.station.live.live_line import FRUIT_AHEAD, HURRY_S, RETRY_S, STOP_S, TAKE_S
+from fruitgui.station.live.live_line import FRUIT_AHEAD, HURRY_S, STOP_S, TAKE_S
 from fruitgui.station.live.state import LiveState, LiveWarning, Phase, Preview
 from fruitgui.station.live.warnings import Warnings
 from fruitgui.station.model import Model
@@ -29,9 +25,6 @@ from fruitgui.station.station import Station
 
 BEGIN_S = 60.0
 """A process that has not begun by then never will."""
-
-KEPT_COLORS = 32
-"""Pictures kept here until the line says what is in them; so many are on their way at most."""
 
 GONE_S = 0.02
 """Between two tries to hand a frame to a line that is being begun again."""
@@ -77,10 +70,9 @@ class LineApart:
         self._warnings = Warnings()
         self._phase = Phase.STOPPED
         self._drawn = LiveState(Phase.STOPPED)
-        self._colors: deque[tuple[str, float, U8]] = deque(maxlen=KEPT_COLORS)
-        self._previews: dict[str, Preview] = {}
+        self._gallery = Gallery()
         self._out: queue.Queue[Out | None] = queue.Queue(FRUIT_AHEAD)
-        self._memory: SharedMemory | None = None
+        self._between: Places | None = None
         self._process: LineProcess | None = None
         self._subscription: Subscription | None = None
         self._begun = threading.Event()
@@ -102,8 +94,8 @@ class LineApart:
         pixels = max(info.intrinsics.width * info.intrinsics.height for info in self._feed.infos.values())
         self._phase = Phase.RUNNING
         try:
-            self._memory = SharedMemory(create=True, size=PLACES * place_bytes(pixels))
-            self._begin(place_bytes(pixels))
+            self._between = Places(pixels)
+            self._begin(self._between)
         except OSError as error:
             self._give_back()
             raise _not_started(str(error)) from error
@@ -160,7 +152,7 @@ class LineApart:
             lot=self._lot,
             totals=self._counting.totals,
             last=self._counting.last,
-            health=tuple(self._feed.health(sensor) for sensor in self._feed.sensors),
+            health=self._healths(),
             backlog=drawn.backlog + (subscription.waiting if subscription else 0),
             waiting_fruit=drawn.waiting_fruit + self._out.qsize() + sink.waiting,
             dropped=subscription.dropped if subscription else {},
@@ -171,7 +163,7 @@ class LineApart:
     @property
     def previews(self) -> dict[str, Preview]:
         """The newest picture of each sensor, by its id in the feed."""
-        return dict(self._previews)
+        return self._gallery.previews
 
     @property
     def warnings(self) -> tuple[LiveWarning, ...]:
@@ -183,25 +175,15 @@ class LineApart:
         """Of the line's process; None before it was started."""
         return None if self._process is None else self._process.pid
 
-    def _begin(self, bytes_of_a_place: int) -> None:
+    def _begin(self, between: Places) -> None:
         """Begin a process; raises `OSError` where there is none to be had."""
-        memory = self._memory
-        assert memory is not None  # noqa: S101 - made before
-        feed = self._feed
-        healths = tuple(feed.health(sensor) for sensor in feed.sensors)
-        process = LineProcess(memory, bytes_of_a_place)
-        process.begin(
-            Start(feed.infos, healths, self._station, self._model, self._intake, memory.name, bytes_of_a_place)
-        )
+        process, infos, name = LineProcess(between), self._feed.infos, between.memory.name
+        process.begin(Start(infos, self._healths(), self._station, self._model, self._intake, name, between.room))
         self._process = process
 
     def _give_back(self) -> None:
-        """Give the shared memory back."""
-        memory, self._memory = self._memory, None
-        if memory is not None:
-            memory.close()
-            with contextlib.suppress(FileNotFoundError):  # swept away by someone else
-                memory.unlink()
+        if self._between is not None:
+            self._between.give_back()
 
     # The first thread: frames, in order of capture, to the line.
 
@@ -214,7 +196,7 @@ class LineApart:
             arrival = subscription.take(TAKE_S)
             self._tell_healths()
             if arrival is not None:
-                self._colors.append((arrival.frame.sensor, arrival.frame.time_s, arrival.frame.color))
+                self._gallery.keep(arrival.frame)
                 self._give(arrival)
         self._gave_all = True
         if self._process is not None:
@@ -225,7 +207,10 @@ class LineApart:
         now_s = time.monotonic()
         if now_s - self._told_s >= TAKE_S and self._process is not None:
             self._told_s = now_s
-            self._process.tell(tuple(self._feed.health(sensor) for sensor in self._feed.sensors))
+            self._process.tell(self._healths())
+
+    def _healths(self) -> tuple[SensorHealth, ...]:
+        return tuple(self._feed.health(sensor) for sensor in self._feed.sensors)
 
     def _give(self, arrival: Arrival) -> None:
         """Give a frame to the line, once there is one."""
@@ -257,7 +242,7 @@ class LineApart:
             case Drawn():
                 self._drawn = message.state
             case Pictured():
-                self._show(message)
+                self._gallery.show(message.previews)
             case Out():
                 self._out.put(message)
             case Shifted() if self._subscription is not None:
@@ -279,23 +264,14 @@ class LineApart:
         if self._until_s is not None:
             process.stop(self._until_s, self._lot)
 
-    def _show(self, pictured: Pictured) -> None:
-        """Give new pictures their colours, which never left."""
-        for one in pictured.previews:
-            for sensor, time_s, color in reversed(self._colors.copy()):
-                if sensor == one.sensor and time_s == one.time_s:
-                    self._previews[sensor] = replace(one, color=color)
-                    break
-
     def _begun_once_more(self) -> bool:
         """Begin another process where one ended unasked; return whether there is one."""
         if self._until_s is not None or self._subscription is None:
             return False
         self._begun_again += 1
-        room = 0 if self._memory is None else self._memory.size // PLACES
         with contextlib.suppress(OSError):
-            if self._begun_again <= MOST_BEGUN_AGAIN:
-                self._begin(room)
+            if self._begun_again <= MOST_BEGUN_AGAIN and self._between is not None:
+                self._begin(self._between)
                 text = "The line's process ended; another one goes on. Fruit that were in view then may be missing."
                 self._warnings.add("line_begun_again", text, ())
                 return True
@@ -306,24 +282,15 @@ class LineApart:
     # The third thread: fruit kept, counted.
 
     def _count_all(self) -> None:
-        while True:
-            try:
-                out = self._out.get(timeout=RETRY_S)
-            except queue.Empty:
-                self._attempt(self._counting.retry)
-                continue
-            if out is None:
-                break
-            self._attempt(partial(self._counting.count, out.finished, out.lot))
-        self._attempt(self._counting.retry)
+        count_all(self._take, self._count, self._counting.retry, self._warnings.add)
         if self._phase is Phase.RUNNING:
             self._phase = Phase.ENDED
 
-    def _attempt(self, count: Callable[[], None]) -> None:
-        try:
-            count()
-        except Exception as error:  # noqa: BLE001 - one fruit must not end the line; it is said
-            self._warnings.add("fruit_not_counted", f"A fruit was followed but could not be counted: {error}", ())
+    def _take(self, timeout_s: float) -> Out | None:
+        return self._out.get(timeout=timeout_s)
+
+    def _count(self, out: Out) -> None:
+        self._counting.count(out.finished, out.lot)
 
 
 def _not_started(why: str) -> WorldError:

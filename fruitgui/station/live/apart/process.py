@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+import contextlib
 import multiprocessing
 import queue
 import threading
@@ -24,22 +25,39 @@ PLACES = 4
 LEAVE_S = 2.0
 
 
-def place_bytes(pixels: int) -> int:
-    """Return how much memory a frame of so many pixels takes."""
-    return BYTES_PER_PIXEL * pixels
+class Places:
+    """Memory for frames that lie between two processes; one owner makes it and gives it back.
+
+    Args:
+        pixels: of the largest picture.
+
+    Attributes:
+        memory: that is shared. room: from one frame's place in it to the next, bytes.
+
+    Raises:
+        OSError: there is no memory to share.
+    """
+
+    def __init__(self, pixels: int) -> None:
+        self.room = BYTES_PER_PIXEL * pixels
+        self.memory = SharedMemory(create=True, size=PLACES * self.room)
+
+    def give_back(self) -> None:
+        """Give it back. Any number of times."""
+        self.memory.close()
+        with contextlib.suppress(FileNotFoundError):  # given back, or swept away by someone else
+            self.memory.unlink()
 
 
 class LineProcess:
     """Runs a line from `begin` to `close`; one thread gives, one hears, any may say stop.
 
     Args:
-        memory: that frames are laid into; its owner gives it back.
-        room: from one frame's place in it to the next, bytes.
+        between: where frames are laid; its owner gives it back.
     """
 
-    def __init__(self, memory: SharedMemory, room: int) -> None:
-        self._memory = memory
-        self._room = room
+    def __init__(self, between: Places) -> None:
+        self._between = between
         self._places: queue.SimpleQueue[int | None] = queue.SimpleQueue()
         for place in range(PLACES):
             self._places.put(place)
@@ -65,7 +83,7 @@ class LineProcess:
         if place is None:
             self._places.put(None)
             return False
-        lay(arrival.frame, self._memory, place * self._room)
+        lay(arrival.frame, self._between.memory, place * self._between.room)
         return self._say(given(arrival, place, lot))
 
     def tell(self, healths: tuple[SensorHealth, ...]) -> None:
