@@ -1,4 +1,4 @@
-"""What a lot remembers beside absences: a rig that was moved, clocks that leapt, a model that knew few fruit."""
+"""What a lot remembers beside absences: a moved rig, clocks that leapt, a model that knew few fruit, a line broken off."""
 
 from __future__ import annotations
 
@@ -10,8 +10,7 @@ from fruitgui.gui.queries import Queries
 from fruitgui.records.spells import Spells
 from fruitgui.station.live import LiveWarning
 
-LEAPT, UNKNOWN = "clock_jumped", "mostly_unknown"
-MOMENTS = (LEAPT, UNKNOWN)
+MOMENTS = ("clock_jumped", "mostly_unknown", "line_begun_again")
 """Warnings that are counted each time: what a lot keeps of them is when they came."""
 
 
@@ -34,10 +33,14 @@ class Troubles:
         stale = {name for one in warnings if one.code == "calibration_stale" for name in one.sensors}
         self._note_moved(lot, tuple(sorted(stale)))
         for code, sensors in self._new_moments(warnings).elements():
-            if code == LEAPT:
-                self._queries.change(partial(self._spells.note_jump, lot, sensors), _nothing)
-            else:
-                self._queries.change(partial(self._spells.note_unknown, lot), _nothing)
+            spells, queries = self._spells, self._queries
+            match code:
+                case "clock_jumped":
+                    queries.change(partial(spells.note_jump, lot, sensors), _nothing)
+                case "mostly_unknown":
+                    queries.change(partial(spells.note_unknown, lot), _nothing)
+                case "line_begun_again":
+                    queries.change(partial(spells.note_broken_off, lot), _nothing)
 
     def rest(self, lot: int, warnings: Sequence[LiveWarning]) -> None:
         """Note that nothing is counted into a lot now: what happens meanwhile is nothing to it."""

@@ -14,9 +14,10 @@ from fruitgui.records.database import Database
 from fruitgui.records.tables import LotRow, SpellRow
 from fruitgui.station.live.blind import Blind
 
-TroubleSort = Literal["moved", "clock_jumped", "mostly_unknown"]
+TroubleSort = Literal["moved", "clock_jumped", "mostly_unknown", "line_begun_again"]
 """`moved`: sensors do not stand as they were calibrated. At one moment each: `clock_jumped`, their clocks leapt;
-`mostly_unknown`, most of the last fruit were unknown to the model."""
+`mostly_unknown`, most of the last fruit were unknown to the model; `line_begun_again`, the line broke off and went
+on."""
 
 SpellSort = Literal["away", "sparse"]
 """`away`: sensors gave nothing. `sparse`: they gave too few pictures for the belt's speed."""
@@ -122,6 +123,14 @@ class Spells:
             WorldError: it cannot be kept.
         """
         self._note_moment(lot, "mostly_unknown", ())
+
+    def note_broken_off(self, lot: int) -> None:
+        """Note that the line broke off now and went on.
+
+        Raises:
+            WorldError: it cannot be kept.
+        """
+        self._note_moment(lot, "line_begun_again", ())
 
     def _note_moment(self, lot: int, sort: TroubleSort, sensors: tuple[str, ...]) -> None:
         with self._database.writing() as session:

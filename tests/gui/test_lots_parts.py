@@ -162,6 +162,13 @@ def test_it_is_said_at_what_times_most_fruit_were_unknown() -> None:
     assert f"at {first}, {second}, {third} …: kinds" in trouble_text(_lot(troubles=unknown))
 
 
+def test_it_is_said_at_what_times_the_line_broke_off() -> None:
+    broken_off = (Trouble("line_begun_again", 1100.0, 1100.0, ()),)
+    assert trouble_text(_lot(troubles=broken_off)) == (
+        f"The line broke off at {clock_text(1100.0)} and went on: fruit in view then may be missing"
+    )
+
+
 def test_a_lot_is_running_paused_left_open_or_ended() -> None:
     still = _lot(pauses=(Pause(1100.0, None, "asked"),))
     assert state_of(_lot(), 1) is LotState.RUNNING

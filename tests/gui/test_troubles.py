@@ -48,18 +48,19 @@ def test_each_is_noted_once_and_nothing_of_a_pause(qtbot: QtBot, store: Store) -
     assert [one.to_s is None for one in found if one.sort == "moved"] == [False, True], "the pause is no part of it"
 
 
-def test_a_lot_remembers_each_time_that_most_fruit_were_unknown(qtbot: QtBot, store: Store) -> None:  # noqa: ARG001 - Qt runs
+@pytest.mark.parametrize("code", ["mostly_unknown", "line_begun_again"])
+def test_a_lot_remembers_each_time_of_what_is_about_no_sensor(qtbot: QtBot, store: Store, code: str) -> None:  # noqa: ARG001 - Qt runs
     lot = store.lots.start(LotPlan("1")).key
     queries = Queries()
     troubles = Troubles(queries, store.spells)
 
-    def unknown(count: int) -> list[LiveWarning]:
-        return [LiveWarning("mostly_unknown", "", (), count)]
+    def said(count: int) -> list[LiveWarning]:
+        return [LiveWarning(code, "", (), count)]
 
-    for warnings in ([], unknown(1), unknown(1), unknown(2), unknown(2)):
+    for warnings in ([], said(1), said(1), said(2), said(2)):
         troubles.note(lot, warnings)
     assert queries.finish()
     store.lots.end(lot)
     found = store.lots.get(lot).troubles
-    assert [(one.sort, one.sensors) for one in found] == 2 * [("mostly_unknown", ())]
+    assert [(one.sort, one.sensors) for one in found] == 2 * [(code, ())]
     assert all(one.to_s == one.from_s for one in found), "when it came is known, when it went is not"

@@ -594,6 +594,10 @@
         <translation>El modelo no conocía la mayor parte de la fruta a las {times}: a los tipos puede faltarles fruta</translation>
     </message>
     <message>
+        <source>The line broke off at {times} and went on: fruit in view then may be missing</source>
+        <translation>La línea se interrumpió a las {times} y siguió: puede faltar la fruta que estaba a la vista</translation>
+    </message>
+    <message>
         <source>recipe {recipe}</source>
         <translation>receta {recipe}</translation>
     </message>

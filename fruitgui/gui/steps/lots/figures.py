@@ -178,6 +178,7 @@ def trouble_text(lot: Lot) -> str:
     moved = [one for one in lot.troubles if one.sort == "moved"]
     leapt = [one for one in lot.troubles if one.sort == "clock_jumped"]
     unknown = [one for one in lot.troubles if one.sort == "mostly_unknown"]
+    broken_off = [one for one in lot.troubles if one.sort == "line_begun_again"]
     parts = []
     if moved:
         text = translate("Lots", "Moved since calibrated, from {time} on ({sensors}): sizes and counts may be wrong")
@@ -188,6 +189,9 @@ def trouble_text(lot: Lot) -> str:
     if unknown:
         text = translate("Lots", "Most fruit were unknown to the model at {times}: kinds may lack fruit")
         parts.append(text.format(times=_moments(unknown)))
+    if broken_off:
+        text = translate("Lots", "The line broke off at {times} and went on: fruit in view then may be missing")
+        parts.append(text.format(times=_moments(broken_off)))
     return ". ".join(parts)
 
 
