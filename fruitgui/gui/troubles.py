@@ -1,4 +1,4 @@
-"""What a lot remembers beside absences: a moved rig, clocks that leapt, a model that knew few fruit, a line broken off."""
+"""What a lot remembers beside absences: a moved rig, clocks that leapt, a model that knew little, a line broken off."""
 
 from __future__ import annotations
 
