@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -22,8 +23,8 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.spells import Spell
 from fruitgui.simulation.scenes import still_scene
+from fruitgui.station.live import LineApart
 from fruitgui.station.live.blind import Blind
-from fruitgui.station.live.sparse import SparseWatch
 from fruitgui.station.projectors import MeasuredSettling, Projectors
 from fruitgui.station.sources import Connected, DeviceId, DevicesSource, Make, RecordedSource, Sources
 from fruitgui.station.station import Station, StationSensor
@@ -267,13 +268,14 @@ def test_a_lot_remembers_when_pictures_were_too_few_and_nothing_of_a_pause(
         found = rigged.store.lots.get(lot.key).spells
         return [(one.blind, one.to_s is not None) for one in found if one.sort == "sparse"]
 
-    monkeypatch.setattr(SparseWatch, "now", lambda *_: sparse)
+    real = LineApart.state.fget  # type: ignore[attr-defined]
+    monkeypatch.setattr(LineApart, "state", property(lambda line: replace(real(line), sparse=sparse)))
     qtbot.waitUntil(lambda: spells() == [(sparse, False)], timeout=20_000)
     rigged.running.pause()
     qtbot.waitUntil(lambda: spells() == [(sparse, True)], timeout=20_000)
     rigged.running.resume()
     qtbot.waitUntil(lambda: spells() == [(sparse, True), (sparse, False)], timeout=20_000)
-    monkeypatch.setattr(SparseWatch, "now", lambda *_: None)
+    monkeypatch.setattr(LineApart, "state", property(real))
     qtbot.waitUntil(lambda: spells() == [(sparse, True), (sparse, True)], timeout=20_000)
 
 
