@@ -136,7 +136,7 @@ def test_one_that_loses_packets_is_said(usb: Emulation, tmp_path: Path) -> None:
 @inside
 def test_one_that_two_others_look_like_is_not_run(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
     usb.plug_in(Kinect("A1"), Kinect("A1"))
-    assert codes(sensors("--seconds", "0.5")) == [("failed", ["closed"])] * 2
+    assert codes(sensors("--seconds", "0.5")) == [("failed", ["no_serial"])] * 2
 
 
 @inside
