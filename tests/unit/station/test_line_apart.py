@@ -9,16 +9,19 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from multiprocessing.shared_memory import SharedMemory
 from pathlib import Path
 
 import pytest
 
-from fruitgui.errors import FruitguiError, InputError
+from fruitgui.errors import FruitguiError, InputError, WorldError
 from fruitgui.frame import Frame
 from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.sensor import EndOfStreamError, Sensor, SensorTimeoutError
 from fruitgui.station.live import FLAT_OUT, LIVE, Counting, Finished, Intake, LineApart, LiveLine, Phase
+from fruitgui.station.live.apart.messages import Start
+from fruitgui.station.live.apart.process import LineProcess
 from fruitgui.station.waiting import BufferedSink
 from tests.unit.sensors.scripted import gone, until
 from tests.unit.station.memory_sink import MemorySink
@@ -115,6 +118,36 @@ def test_stopping_counts_what_is_in_view_and_gives_everything_back() -> None:
     assert line.state.phase is Phase.STOPPED
     with pytest.raises(FileNotFoundError):
         SharedMemory(memory.name)
+
+
+def test_frames_that_have_not_the_size_they_say_are_skipped_and_said() -> None:
+    frames = passing("left")
+    for number in (10, 12, 14, 16, 18):  # more than there are places
+        wrong = frames[number]
+        frames[number] = replace(wrong, color=wrong.color[:100], depth_mm=wrong.depth_mm[:100])
+    left = Small("left", frames)
+    left.end()
+    line, feed, sink = line_of(left)
+    with running(line, feed):
+        assert line.wait(LONG_S)
+        state = line.state
+        assert (state.skipped, state.frames) == (5, len(frames) - 5)
+        assert [(one.code, one.sensors, one.count) for one in state.warnings] == [("frame_skipped", ("left",), 5)]
+    assert len(sink.kept) == 3
+
+
+def test_a_process_that_ends_before_there_is_a_line_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    begin = LineProcess.begin
+
+    def die(process: LineProcess, start: Start) -> None:
+        begin(process, start)
+        os.kill(process.pid or 0, signal.SIGKILL)
+
+    monkeypatch.setattr(LineProcess, "begin", die)
+    line, _, _ = line_of(Small("left"))
+    with pytest.raises(WorldError) as told:
+        line.start()
+    assert told.value.code == "line_not_started"
 
 
 def test_fruit_pass_uncounted_in_a_pause_and_are_taught_all_the_same() -> None:

@@ -60,7 +60,7 @@ class LineApart:
         lot: int | None = None,
         intake: Intake = LIVE,
     ) -> None:
-        line_up(station, feed.infos.values())  # raises here, and not in the process, what a person can do nothing about
+        line_up(station, feed.infos.values())  # what it raises is raised here, not in the process
         self._feed = feed
         self._station = station
         self._model = model
@@ -78,7 +78,7 @@ class LineApart:
         self._begun = threading.Event()
         self._why_not: FruitguiError | None = None
         self._done = False
-        self._begun_again = 0
+        self._begun_again = self._skipped = 0
         self._ended = self._gave_all = self._over = False
         self._until_s: float | None = None
         self._told_s = 0.0
@@ -103,7 +103,7 @@ class LineApart:
         self._threads = tuple(threading.Thread(target=run, name=name, daemon=True) for name, run in runs)
         for thread in self._threads:
             thread.start()
-        if not self._begun.wait(BEGIN_S) or self._why_not is not None:
+        if not self._begun.wait(BEGIN_S) or self._subscription is None:
             self.stop(0.0)
             raise self._why_not or _not_started("its process did not begin")
 
@@ -129,7 +129,8 @@ class LineApart:
         process.stop(self._until_s, self._lot)
         self.wait(timeout_s + HURRY_S)
         self._over = True
-        process.close()
+        if self._process is not None:
+            self._process.close()  # it may have been begun again meanwhile
         done = self.wait(HURRY_S) and self._done
         self._phase = Phase.STOPPED
         self._give_back()
@@ -155,6 +156,7 @@ class LineApart:
             health=self._healths(),
             backlog=drawn.backlog + (subscription.waiting if subscription else 0),
             waiting_fruit=drawn.waiting_fruit + self._out.qsize() + sink.waiting,
+            skipped=drawn.skipped + self._skipped,
             dropped=subscription.dropped if subscription else {},
             sink=sink,
             warnings=self.warnings,
@@ -216,7 +218,13 @@ class LineApart:
         """Give a frame to the line, once there is one."""
         while not self._over:
             process = self._process
-            if process is not None and process.give(arrival, self._lot):
+            try:
+                if process is not None and process.give(arrival, self._lot):
+                    return
+            except (TypeError, ValueError) as error:  # it has not the size that it says
+                sensor = arrival.frame.sensor
+                self._skipped += 1
+                self._warnings.add("frame_skipped", f"A frame of sensor {sensor} could not be used: {error}", (sensor,))
                 return
             time.sleep(GONE_S)
 

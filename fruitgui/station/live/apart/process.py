@@ -78,12 +78,20 @@ class LineProcess:
         theirs.close()
 
     def give(self, arrival: Arrival, lot: int | None) -> bool:
-        """Hand a frame over, as soon as there is a place; return whether there was a line to take it."""
+        """Hand a frame over, as soon as there is a place; return whether there was a line to take it.
+
+        Raises:
+            TypeError, ValueError: the frame has not the size that it says, or is larger than a place.
+        """
         place = self._places.get()
         if place is None:
             self._places.put(None)
             return False
-        lay(arrival.frame, self._between.memory, place * self._between.room)
+        try:
+            lay(arrival.frame, self._between.memory, place * self._between.room)
+        except BaseException:
+            self._places.put(place)
+            raise
         return self._say(given(arrival, place, lot))
 
     def tell(self, healths: tuple[SensorHealth, ...]) -> None:
