@@ -239,6 +239,9 @@ class LineApart:
                 if self._ended or not self._begun_once_more():
                     break
         finally:
+            if not self._ended and self._until_s is None:
+                text = "The line's process ended again and again; nothing is counted. End the lot and start it again."
+                self._warnings.add("line_lost", text, ())
             self._over = True
             self._begun.set()
             self._out.put(None)
@@ -283,8 +286,6 @@ class LineApart:
                 text = "The line's process ended; another one goes on. Fruit that were in view then may be missing."
                 self._warnings.add("line_begun_again", text, ())
                 return True
-        text = "The line's process ended again and again; nothing is counted any more. End the lot and start it again."
-        self._warnings.add("line_lost", text, ())
         return False
 
     # The third thread: fruit kept, counted.
