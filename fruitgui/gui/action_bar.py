@@ -164,9 +164,11 @@ class ActionBar(QWidget):
         self._show()
 
     def show_task(self, task: Task[object]) -> None:
-        """Show a job's progress until it ends, or another one is shown."""
+        """Show a job's progress until it ends, or another one is shown; what an earlier one did is old news then."""
         if self._task is task:
             return
+        if self._message is not None and not self._message.stays and not self._message.action:
+            self._message = None
         if self._task is not None:
             self._task.progressed.disconnect(self._show_progress)
             self._task.ended.disconnect(self._task_ended)

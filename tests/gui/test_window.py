@@ -319,6 +319,27 @@ def test_the_progress_of_a_job_does_not_take_the_place_of_what_an_error_says_to_
         end.set()
 
 
+def test_a_job_that_begins_takes_the_place_of_what_an_earlier_one_did_but_not_of_a_way_to_undo_it(
+    qtbot: QtBot, session: Session, window: MainWindow
+) -> None:
+    ends = Event()
+
+    def job(progress: Progress, cancelled: Cancelled) -> None:  # noqa: ARG001 - it waits to be let go
+        ends.wait(60)
+
+    session.messages.good(lambda: Told("The new model is in use."))
+    task = session.tasks.run(lambda: "Training", job)
+    assert "Training" in _labels(window)
+    session.messages.info(lambda: Told("Named: Lemon.", action="Undo"), lambda: None)
+    with qtbot.waitSignal(task.ended):
+        ends.set()
+    ends.clear()
+    second = session.tasks.run(lambda: "Looking for mistakes", job)
+    assert "Named: Lemon." in _labels(window)
+    with qtbot.waitSignal(second.ended):
+        ends.set()
+
+
 def test_why_a_step_is_to_be_done_again_stands_below_it_and_all_seven_stay_in_view(
     qapp: QApplication, window: MainWindow
 ) -> None:

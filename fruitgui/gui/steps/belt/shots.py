@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache, partial
 
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
 from fruitgui.frame import Frame
@@ -48,9 +49,11 @@ def _setting(stage: Stage, layout: str, view: str, *, moving: bool) -> Iterator[
         on.connect()
         on.session.save_station(_station(layout, moving=moving))
         stage.wait_until(lambda: not on.session.saving)
+        pictures: list[QImage] = []
+        page._backdrop.made.connect(pictures.append)
         page.tools.views[view].click()
         page.side.switch.show()
-        page._draw_picture()
+        stage.wait_until(lambda: bool(pictures))
         yield on.window
 
 
