@@ -10,6 +10,8 @@ import numpy as np
 from fruitgui.frame import F64, Bools
 from fruitgui.geometry.rig import Rig
 from fruitgui.tracking.belt import BeltMotion
+from fruitgui.tracking.field import FieldOfView
+from fruitgui.tracking.gap import GAP_S, ON_SHARE, PLACE_STD_M, Gap
 from fruitgui.tracking.measured import Measured, look_distance, variances
 from fruitgui.tracking.voting import CommonShift, common_shift
 
@@ -31,6 +33,9 @@ SAME_PLACE_STD_M = 0.009
 PLACE_FLOOR_M = 0.003
 """Two sensors' centres of one fruit differ by some millimetres, and all of one capture's alike."""
 
+
+ALIKE = 0.02
+"""Least likeness of two views of one fruit."""
 
 _EYE = np.eye(2)
 
@@ -95,6 +100,7 @@ class BeltFollower:
     """
 
     def __init__(self, rig: Rig, motion: BeltMotion, time_s: float) -> None:
+        self._field = FieldOfView.of(rig)
         self._frame = rig.belt_frame()
         self._back: F64 = np.ascontiguousarray(self._frame.rotation[:2].T)
         self._time_s = time_s
@@ -165,12 +171,33 @@ class BeltFollower:
         residual = here[None] - there[:, None]
         likeness = np.exp(-0.5 * np.minimum(look_distance(looks[tracks], seen.looks[usable]), 12.0))
         std = np.sqrt(variance_m2[tracks][:, None] + variances(seen.covariance_m2)[usable][None] + PLACE_FLOOR_M**2)
-        found = common_shift(residual, std, likeness, self._admissible(residual), self._bonus)
-        if found is None:
-            return np.zeros(3)
+        admissible = self._admissible(residual)
         before = self._travelled.copy()
-        self._take(found)
+        if self._time_s - self._measured_s < GAP_S:
+            self._take(common_shift(residual, std, likeness, admissible, self._bonus))
+        else:
+            way = self._travelled - self._marked
+            alike = admissible & (likeness > ALIKE)
+            self._take_after(
+                Gap(
+                    self._field, seen.sensor, self._back, way,
+                    position_m[tracks], seen.position_m[usable], residual, std, alike,
+                ),
+                likeness,
+            )  # fmt: skip
         return self._back @ (self._travelled - before)
+
+    def _take_after(self, gap: Gap, likeness: F64) -> None:
+        """Take what the fruit of a capture after a gap agree on, or that the belt went on where that is likelier."""
+        found = common_shift(gap.residual_m, gap.std_m, likeness, gap.alike, gap.prior)
+        on_votes = float(gap.prior(np.zeros((1, 2)))[0])
+        if found is not None and found.votes + float(gap.prior(found.shift_m[None])[0]) > on_votes:
+            self._take(found)
+            return
+        self._measured_s, self._marked = self._time_s, self._travelled.copy()
+        std_m = ON_SHARE * float(np.linalg.norm(gap.way_m)) + PLACE_STD_M
+        std_m_s = ON_SHARE * float(np.linalg.norm(self._velocity)) + 0.01
+        self._covariance = np.diag([std_m**2, std_m**2, std_m_s**2, std_m_s**2])
 
     def _admissible(self, residual_m: F64) -> Bools:
         """Tell which residuals (n, m, 2) a belt could have made since it was last measured."""
@@ -190,8 +217,10 @@ class BeltFollower:
         precise = np.linalg.inv(self._covariance[:2, :2] + SAME_PLACE_STD_M**2 * _EYE)
         return np.asarray(0.8 * np.exp(-0.5 * ((residual_m @ precise) * residual_m).sum(axis=1)))
 
-    def _take(self, found: CommonShift) -> None:
+    def _take(self, found: CommonShift | None) -> None:
         """Update displacement and velocity by a common shift; loosen the velocity first if it must have changed."""
+        if found is None:
+            return
         duration = max(self._time_s - self._measured_s, 1e-3)
         self._measured_s = self._time_s
         R = (found.std_m**2 + PLACE_FLOOR_M**2) * _EYE

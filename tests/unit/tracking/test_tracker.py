@@ -69,6 +69,37 @@ def test_a_silent_sensor_loses_nothing_that_the_other_saw(sensor: str) -> None:
     assert counted(line) == list(range(18))
 
 
+def _in_one_row(count: int, seed: int) -> list[Piece]:
+    """Return fruit of one look, one behind the other: whoever mistakes one for the next is told nothing by its look."""
+    rng = np.random.default_rng(seed)
+    starts = np.cumsum(rng.uniform(0.2, 0.45, count))
+    color = np.array([225.0, 200.0, 60.0])
+    return [
+        Piece(i, np.array([-0.6 - start, rng.uniform(-0.1, 0.1), 0.033]), 0.033, color)
+        for i, start in enumerate(starts.tolist())
+    ]
+
+
+@pytest.mark.parametrize("seed", [100, 101, 102])
+def test_what_passed_while_no_sensor_gave_anything_is_not_taken_for_what_was_there_before(seed: int) -> None:
+    blind = (7.0, 11.0)
+    line = Line(opposed(), _in_one_row(16, seed), lambda t: 0.4 * t, duration_s=22.0, seed=seed)
+    line.silent = dict.fromkeys(line.rig.mounts, blind)
+    observations = line.observations()
+    whole = Counter(int(view.features[0]) for one in observations for view in one.views if view.whole)
+    tracks = follow(line)
+    pure = [{int(sighting.view.features[0]) for sighting in track.sightings} for track in tracks]
+    assert all(len(shown) == 1 for shown in pure)
+    assert sorted(piece_of(track) for track in tracks) == sorted(piece for piece, views in whole.items() if views >= 3)
+    assert 0 < len(whole) < 16, "none passed unseen"
+
+
+def test_a_belt_that_stood_while_no_sensor_gave_anything_is_found_where_it_was_left() -> None:
+    line = Line(opposed(), pieces(15, 4), stop_and_start(0.3, 4.0, 3.0, 0.3).travel_m, duration_s=15.0, seed=4)
+    line.silent = dict.fromkeys(line.rig.mounts, (4.1, 6.9))
+    assert counted(line) == list(range(15))
+
+
 @pytest.mark.parametrize(
     "travel_m",
     [
