@@ -16,7 +16,7 @@ from tests.emulated_usb.outside import environment
 
 
 def main() -> int:
-    """Run a shift in a process with an emulated bus."""
+    """Run a shift in a process with an emulated bus; return 1 where a count is wrong or a mishap untold."""
     parser = argparse.ArgumentParser(prog="python -m tests.shift", description=__doc__)
     parser.add_argument("--minutes", type=float, default=60.0, help="of the devices' time")
     parser.add_argument("--seed", type=int, default=1)
@@ -33,7 +33,7 @@ def main() -> int:
     said["happened"] = Counter(one.what for one in outcome.happened)
     json.dump(said, sys.stdout, indent=2)
     print()  # noqa: T201
-    return 0
+    return int(bool(outcome.count.missed or outcome.count.twice or outcome.count.strange or outcome.unsaid))
 
 
 if __name__ == "__main__":

@@ -45,7 +45,7 @@ def test_a_ball_that_was_never_pictured_did_not_pass() -> None:
 
 def test_nobody_is_held_to_what_a_sensor_in_trouble_saw() -> None:
     at_s = 6 * SPACING_S + IN_THE_MIDDLE_S
-    mishap = Mishap("unplugged", 0, at_s - 1.0, at_s + 1.0, ())
+    mishap = Mishap("unplugged", (0,), at_s - 1.0, at_s + 1.0, ())
     belt = Belt(SEED, lambda kinect, time_s: not mishap.troubles(kinect, time_s))
     _picture(belt, 0, 6, VIEWS_NEEDED)
     assert _passed(belt) == (0, ())

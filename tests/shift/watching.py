@@ -64,13 +64,13 @@ def unsaid(mishaps: Sequence[Mishap], said: Sequence[Said]) -> list[Mishap]:
         mishaps: what happened.
         said: what was said, in order.
     """
-    return [one for one in mishaps if not _was_said(one, said)]
+    return [one for one in mishaps if not all(_was_said(one, kinect, said) for kinect in one.kinects)]
 
 
-def _was_said(mishap: Mishap, said: Sequence[Said]) -> bool:
+def _was_said(mishap: Mishap, kinect: int, said: Sequence[Said]) -> bool:
     until_s = mishap.to_s + RECOVERY_S
-    before = [one for one in said if one.kinect == mishap.kinect and one.time_s < mishap.from_s]
-    during = [one for one in said if one.kinect == mishap.kinect and mishap.from_s <= one.time_s <= until_s]
+    before = [one for one in said if one.kinect == kinect and one.time_s < mishap.from_s]
+    during = [one for one in said if one.kinect == kinect and mishap.from_s <= one.time_s <= until_s]
     if mishap.what == "clock_jump":
         return bool(during and before) and during[-1].leaps > before[-1].leaps
     troubled = any(one.state in (Running.SILENT, Running.FAILED) for one in during)
