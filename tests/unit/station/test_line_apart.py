@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -20,12 +22,21 @@ from fruitgui.frame import Frame
 from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.sensor import EndOfStreamError, Sensor, SensorTimeoutError
 from fruitgui.station.live import FLAT_OUT, LIVE, Counting, Finished, Intake, LineApart, LiveLine, Phase
+from fruitgui.station.live.apart.gallery import Gallery
 from fruitgui.station.live.apart.messages import Start
 from fruitgui.station.live.apart.process import LineProcess
+from fruitgui.station.live.apart.processes import Processes
 from fruitgui.station.waiting import BufferedSink
 from tests.unit.sensors.scripted import gone, until
 from tests.unit.station.memory_sink import MemorySink
-from tests.unit.station.test_live_line import ALL_IN_VIEW, Small, Steady, passing, station
+from tests.unit.station.test_live_line import (
+    ALL_IN_VIEW,
+    Small,
+    Steady,
+    failing_once_it_is_due,
+    passing,
+    station,
+)
 
 pytestmark = pytest.mark.usefixtures("no_leaked_threads")
 
@@ -108,8 +119,8 @@ def test_stopping_counts_what_is_in_view_and_gives_everything_back() -> None:
     line.start()
     feed.start()
     until(lambda: line.state.frames == ALL_IN_VIEW, LONG_S)
-    assert line._between is not None
-    memory = line._between.memory
+    assert line._processes._between is not None
+    memory = line._processes._between.memory
     assert sink.kept == []
     assert line.stop()
     assert line.stop(), "again does nothing"
@@ -176,6 +187,63 @@ def test_a_line_that_is_killed_is_begun_again_and_said() -> None:
         assert line.wait(LONG_S)
         assert line.state.phase is Phase.ENDED
     assert before + 3 <= len(sink.kept) <= 6, "what was counted stays so, and what comes is counted"
+    assert [one.fruit.fruit for one, _ in sink.kept] == [*range(1, len(sink.kept) + 1)], "no number comes twice"
+
+
+def test_a_line_that_hangs_is_ended_begun_again_and_said() -> None:
+    left = Small("left", passing("left")[:ALL_IN_VIEW])
+    line, feed, sink = line_of(left)
+    with running(line, feed):
+        until(lambda: line.state.frames == ALL_IN_VIEW, LONG_S)
+        assert line.pid is not None
+        os.kill(line.pid, signal.SIGSTOP)
+        until(lambda: line.state.warnings != (), LONG_S)
+        (said,) = line.state.warnings
+        assert said.code == "line_begun_again"
+        assert "did not answer" in said.text
+        left.give(*passing("left", first_s=60.0))
+        left.end()
+        assert line.wait(LONG_S)
+        assert line.state.phase is Phase.ENDED
+    assert len(sink.kept) == 3
+
+
+def test_a_line_that_ended_by_what_nobody_foresaw_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    failed: list[BaseException | None] = []
+    monkeypatch.setattr(threading, "excepthook", lambda told: failed.append(told.exc_value))
+    monkeypatch.setattr(Gallery, "show", failing_once_it_is_due(lambda *_: True, Gallery.show))
+    line, feed, _ = line_of(Steady("left"), intake=LIVE)
+    with running(line, feed):
+        until(lambda: line.state.phase is Phase.ENDED, LONG_S)
+        assert [one.code for one in line.state.warnings] == ["line_lost"]
+    assert [type(error) for error in failed] == [ValueError]
+
+
+def test_a_line_is_stopped_while_it_is_begun_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    begin, beginning, stopping = LineProcess.begin, threading.Event(), threading.Event()
+    line, feed, _ = line_of(Small("left", passing("left")[:ALL_IN_VIEW]))
+    with running(line, feed):
+        until(lambda: line.state.frames == ALL_IN_VIEW, LONG_S)
+
+        def begin_late(process: LineProcess, start: Start) -> None:
+            beginning.set()
+            assert stopping.wait(LONG_S)
+            begin(process, start)
+
+        monkeypatch.setattr(LineProcess, "begin", begin_late)
+        kill(line)
+        assert beginning.wait(LONG_S)
+        killed, told = line.pid, Processes.stop
+
+        def tell(processes: Processes, until_s: float, lot: int | None) -> None:
+            told(processes, until_s, lot)
+            stopping.set()
+
+        monkeypatch.setattr(Processes, "stop", tell)
+        assert line.stop(LONG_S), "the process that was on its way is told to stop once it is there"
+        assert line.state.phase is Phase.STOPPED
+        assert line.pid not in (None, killed)
+    assert multiprocessing.active_children() == []
 
 
 def test_a_line_that_is_killed_again_and_again_says_that_nothing_is_counted() -> None:

@@ -34,7 +34,7 @@ from fruitgui.station.live.apart.messages import (
     Stop,
     Taken,
 )
-from fruitgui.station.live.live_line import STOP_S, LiveLine
+from fruitgui.station.live.live_line import LiveLine
 from fruitgui.station.live.parcels import receive, send
 from fruitgui.station.live.state import Finished, LiveState, LiveWarning, Phase, Preview, Totals
 from fruitgui.station.sink import CountedFruit
@@ -179,7 +179,13 @@ class Inside:
             self._tell()
             with contextlib.suppress(queue.Empty):
                 stop = self._stop.get(timeout=LOOK_S)
-        done = self._line.stop(STOP_S if stop is None else max(stop.until_s - time.monotonic(), 0.0))
+        if stop is None:
+            self._end(done=True)
+            self._line.stop()  # its helpers may take their time to leave: by now all is said
+        else:
+            self._end(self._line.stop(max(stop.until_s - time.monotonic(), 0.0)))
+
+    def _end(self, done: bool) -> None:
         self._tell()
         self._voice.say(Ended(done))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import queue
 import threading
 import time
@@ -13,8 +12,9 @@ from fruitgui.errors import FruitguiError, WorldError
 from fruitgui.sensors.feed import Arrival, Feed, SensorHealth, Subscription
 from fruitgui.station.lineup import line_up
 from fruitgui.station.live.apart.gallery import Gallery
-from fruitgui.station.live.apart.messages import Drawn, Ended, Made, NotMade, Out, Pictured, Shifted, Start, Taken
-from fruitgui.station.live.apart.process import LineProcess, Places
+from fruitgui.station.live.apart.messages import Drawn, Ended, Made, NotMade, Out, Pictured, Shifted, Start
+from fruitgui.station.live.apart.process import Places
+from fruitgui.station.live.apart.processes import Processes
 from fruitgui.station.live.counting import Counting, count_all
 from fruitgui.station.live.intake import LIVE, Intake
 from fruitgui.station.live.live_line import FRUIT_AHEAD, HURRY_S, STOP_S, TAKE_S
@@ -29,23 +29,15 @@ BEGIN_S = 60.0
 GONE_S = 0.02
 """Between two tries to hand a frame to a line that is being begun again."""
 
-MOST_BEGUN_AGAIN = 3
-"""A line whose process ended so often is not begun again: something is wrong that goes on."""
-
 
 class LineApart:
     """Does what `LiveLine` does, in another process: no Python of the line's keeps the window waiting.
 
     Sensors are read here, and fruit are kept here: what was given back is durable whatever becomes of the process. One
-    that ends unasked is begun again, and it is said; fruit that were in view then may be missing.
+    that dies or hangs is begun again, and it is said; fruit that were in view then may be missing.
 
     Args:
-        feed: runs the sensors; started and stopped by its own owner.
-        station: that the sensors belong to.
-        model: names and corrects; without one every kind is `unknown`.
-        counting: keeps finished fruit and counts them.
-        lot: into which fruit are counted; None lets them pass uncounted.
-        intake: how frames get in.
+        feed, station, model, counting, lot, intake: as of a `LiveLine`.
 
     Raises:
         InputError: the station has none of the sensors.
@@ -61,25 +53,19 @@ class LineApart:
         intake: Intake = LIVE,
     ) -> None:
         line_up(station, feed.infos.values())  # what it raises is raised here, not in the process
-        self._feed = feed
-        self._station = station
-        self._model = model
-        self._counting = counting
-        self._lot = lot
-        self._intake = intake
+        self._feed, self._counting, self._lot = feed, counting, lot
+        self._recipe = station, model, intake
+        self._processes = Processes(_most_pixels(feed), self._start)
         self._warnings = Warnings()
         self._phase = Phase.STOPPED
         self._drawn = LiveState(Phase.STOPPED)
         self._gallery = Gallery()
         self._out: queue.Queue[Out | None] = queue.Queue(FRUIT_AHEAD)
-        self._between: Places | None = None
-        self._process: LineProcess | None = None
         self._subscription: Subscription | None = None
         self._begun = threading.Event()
         self._why_not: FruitguiError | None = None
-        self._done = False
-        self._begun_again = self._skipped = 0
-        self._ended = self._gave_all = self._over = False
+        self._counted = self._skipped = 0
+        self._done = self._ended = self._gave_all = self._over = False
         self._until_s: float | None = None
         self._told_s = 0.0
         self._threads: tuple[threading.Thread, ...] = ()
@@ -91,14 +77,12 @@ class LineApart:
             WorldError: there is no process to be had.
             FruitguiError: the line cannot be made.
         """
-        pixels = max(info.intrinsics.width * info.intrinsics.height for info in self._feed.infos.values())
-        self._phase = Phase.RUNNING
         try:
-            self._between = Places(pixels)
-            self._begin(self._between)
+            self._processes.begin()
         except OSError as error:
-            self._give_back()
+            self._processes.give_back()
             raise _not_started(str(error)) from error
+        self._phase = Phase.RUNNING
         runs = (("line gives", self._give_all), ("line hears", self._hear_all), ("line counts", self._count_all))
         self._threads = tuple(threading.Thread(target=run, name=name, daemon=True) for name, run in runs)
         for thread in self._threads:
@@ -122,18 +106,13 @@ class LineApart:
         self._until_s = time.monotonic() + timeout_s
         if self._subscription is not None:
             self._subscription.close()
-        process = self._process
-        if process is None:
-            self._phase = Phase.STOPPED
-            return True
-        process.stop(self._until_s, self._lot)
+        self._processes.stop(self._until_s, self._lot)
         self.wait(timeout_s + HURRY_S)
         self._over = True
-        if self._process is not None:
-            self._process.close()  # it may have been begun again meanwhile
-        done = self.wait(HURRY_S) and self._done
+        self._processes.close()
+        done = self.wait(HURRY_S) and (self._done or not self._threads)
         self._phase = Phase.STOPPED
-        self._give_back()
+        self._processes.give_back()
         return done
 
     def wait(self, timeout_s: float) -> bool:
@@ -175,17 +154,11 @@ class LineApart:
     @property
     def pid(self) -> int | None:
         """Of the line's process; None before it was started."""
-        return None if self._process is None else self._process.pid
+        return self._processes.pid
 
-    def _begin(self, between: Places) -> None:
-        """Begin a process; raises `OSError` where there is none to be had."""
-        process, infos, name = LineProcess(between), self._feed.infos, between.memory.name
-        process.begin(Start(infos, self._healths(), self._station, self._model, self._intake, name, between.room))
-        self._process = process
-
-    def _give_back(self) -> None:
-        if self._between is not None:
-            self._between.give_back()
+    def _start(self, between: Places) -> Start:
+        """Return what a process begins with."""
+        return Start(self._feed.infos, self._healths(), *self._recipe, between.memory.name, between.room)
 
     # The first thread: frames, in order of capture, to the line.
 
@@ -201,15 +174,14 @@ class LineApart:
                 self._gallery.keep(arrival.frame)
                 self._give(arrival)
         self._gave_all = True
-        if self._process is not None:
-            self._process.no_more()
+        self._processes.no_more()
 
     def _tell_healths(self) -> None:
         """Say now and then how the sensors are."""
         now_s = time.monotonic()
-        if now_s - self._told_s >= TAKE_S and self._process is not None:
+        if now_s - self._told_s >= TAKE_S:
             self._told_s = now_s
-            self._process.tell(self._healths())
+            self._processes.tell(self._healths())
 
     def _healths(self) -> tuple[SensorHealth, ...]:
         return tuple(self._feed.health(sensor) for sensor in self._feed.sensors)
@@ -217,9 +189,8 @@ class LineApart:
     def _give(self, arrival: Arrival) -> None:
         """Give a frame to the line, once there is one."""
         while not self._over:
-            process = self._process
             try:
-                if process is not None and process.give(arrival, self._lot):
+                if self._processes.give(arrival, self._lot):
                     return
             except (TypeError, ValueError) as error:  # it has not the size that it says
                 sensor = arrival.frame.sensor
@@ -232,12 +203,8 @@ class LineApart:
 
     def _hear_all(self) -> None:
         try:
-            while (process := self._process) is not None:
-                for message in process.heard():
-                    self._hear(process, message)
-                process.close()
-                if self._ended or not self._begun_once_more():
-                    break
+            for message in self._processes.heard(self._goes_on, self._say_begun_again):
+                self._hear(message)
         finally:
             if not self._ended and self._until_s is None:
                 text = "The line's process ended again and again; nothing is counted. End the lot and start it again."
@@ -246,10 +213,15 @@ class LineApart:
             self._begun.set()
             self._out.put(None)
 
-    def _hear(self, process: LineProcess, message: Any) -> None:  # noqa: ANN401 - one of the messages
+    def _goes_on(self) -> bool:
+        """Whether another process is to go on where one ended: it ended unasked, and there was a line."""
+        return not self._ended and self._until_s is None and self._subscription is not None
+
+    def _say_begun_again(self, text: str) -> None:
+        self._warnings.add("line_begun_again", text, ())
+
+    def _hear(self, message: Any) -> None:  # noqa: ANN401 - one of the messages
         match message:
-            case Taken():
-                process.free(message.place)
             case Drawn():
                 self._drawn = message.state
             case Pictured():
@@ -259,34 +231,21 @@ class LineApart:
             case Shifted() if self._subscription is not None:
                 self._subscription.shift(message.offsets_s)
             case Made():
-                self._meet(process, message)
+                self._meet(message)
             case NotMade():
                 self._why_not, self._ended = message.why, True
             case Ended():
                 self._done, self._ended = message.done, True
 
-    def _meet(self, process: LineProcess, made: Made) -> None:
+    def _meet(self, made: Made) -> None:
         """Give a line that is there what it wants, and tell it what was said before."""
         if self._subscription is None:
             self._subscription = self._feed.subscribe(made.room, made.order)
             self._begun.set()
         if self._gave_all:
-            process.no_more()
+            self._processes.no_more()
         if self._until_s is not None:
-            process.stop(self._until_s, self._lot)
-
-    def _begun_once_more(self) -> bool:
-        """Begin another process where one ended unasked; return whether there is one."""
-        if self._until_s is not None or self._subscription is None:
-            return False
-        self._begun_again += 1
-        with contextlib.suppress(OSError):
-            if self._begun_again <= MOST_BEGUN_AGAIN and self._between is not None:
-                self._begin(self._between)
-                text = "The line's process ended; another one goes on. Fruit that were in view then may be missing."
-                self._warnings.add("line_begun_again", text, ())
-                return True
-        return False
+            self._processes.stop(self._until_s, self._lot)
 
     # The third thread: fruit kept, counted.
 
@@ -299,7 +258,15 @@ class LineApart:
         return self._out.get(timeout=timeout_s)
 
     def _count(self, out: Out) -> None:
-        self._counting.count(out.finished, out.lot)
+        """Count a fruit; its number goes on from process to process."""
+        self._counted += 1
+        fruit = replace(out.finished.fruit, fruit=self._counted)
+        self._counting.count(replace(out.finished, fruit=fruit), out.lot)
+
+
+def _most_pixels(feed: Feed) -> int:
+    """Return how many the largest picture has."""
+    return max(info.intrinsics.width * info.intrinsics.height for info in feed.infos.values())
 
 
 def _not_started(why: str) -> WorldError:

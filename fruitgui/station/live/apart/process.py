@@ -15,8 +15,9 @@ from typing import Any
 from fruitgui.progress import deaf_children
 from fruitgui.sensors.feed import Arrival, SensorHealth
 from fruitgui.sensors.frame_memory import BYTES_PER_PIXEL, lay
+from fruitgui.station.live.apart.hang_watch import LOOK_S, HangWatch, Signs
 from fruitgui.station.live.apart.inside import run_line
-from fruitgui.station.live.apart.messages import Healths, NoMore, Start, Stop, given
+from fruitgui.station.live.apart.messages import Drawn, Healths, NoMore, Start, Stop, Taken, given
 from fruitgui.station.live.parcels import receive, send
 
 PLACES = 4
@@ -52,8 +53,13 @@ class Places:
 class LineProcess:
     """Runs a line from `begin` to `close`; one thread gives, one hears, any may say stop.
 
+    A line that hangs is ended as if it had died; one that was told to stop has its time for that.
+
     Args:
         between: where frames are laid; its owner gives it back.
+
+    Attributes:
+        hung: whether it was ended because it hung.
     """
 
     def __init__(self, between: Places) -> None:
@@ -62,7 +68,10 @@ class LineProcess:
         for place in range(PLACES):
             self._places.put(place)
         self._lock = threading.Lock()
-        self._gone = False
+        self._gone = self._listens = self.hung = False
+        self._answers = self._given = self._taken = 0
+        self._unwatched = threading.Event()
+        self._watcher = threading.Thread(target=self._watch, name="line watched", daemon=True)
         self._pipe: Connection | None = None
         self._process: Any = None
 
@@ -76,6 +85,7 @@ class LineProcess:
         with deaf_children():
             self._process.start()
         theirs.close()
+        self._watcher.start()
 
     def give(self, arrival: Arrival, lot: int | None) -> bool:
         """Hand a frame over, as soon as there is a place; return whether there was a line to take it.
@@ -92,6 +102,7 @@ class LineProcess:
         except BaseException:
             self._places.put(place)
             raise
+        self._given += 1
         return self._say(given(arrival, place, lot))
 
     def tell(self, healths: tuple[SensorHealth, ...]) -> None:
@@ -104,11 +115,8 @@ class LineProcess:
 
     def stop(self, until_s: float, lot: int | None) -> None:
         """Say that the line is to end."""
+        self._unwatched.set()
         self._say(Stop(until_s, lot))
-
-    def free(self, place: int) -> None:
-        """Take back a place."""
-        self._places.put(place)
 
     def heard(self) -> Iterator[Any]:
         """Give what the line says, one thing after the other, until its process is gone."""
@@ -116,7 +124,13 @@ class LineProcess:
         assert pipe is not None  # noqa: S101 - opened when the process was started
         try:
             while True:
-                yield receive(pipe)
+                message = self._received(pipe)
+                if isinstance(message, Taken):
+                    self._taken += 1
+                    self._places.put(message.place)
+                    continue
+                self._answers += isinstance(message, Drawn)
+                yield message
         except (EOFError, OSError):
             self._gone = True
             self._places.put(None)
@@ -128,8 +142,10 @@ class LineProcess:
         atexit.unregister(self.close)
         self._gone = True
         self._places.put(None)
+        self._unwatched.set()
         process = self._process
         if process is not None and process.pid is not None:
+            self._watcher.join()
             process.join(0.0)
             if process.is_alive():
                 process.kill()
@@ -139,6 +155,22 @@ class LineProcess:
     def pid(self) -> int | None:
         """Of the process; None before it was started."""
         return None if self._process is None else self._process.pid
+
+    def _received(self, pipe: Connection) -> Any:  # noqa: ANN401 - one of the messages
+        self._listens = True
+        try:
+            return receive(pipe)
+        finally:
+            self._listens = False
+
+    def _watch(self) -> None:
+        """End the process if it hangs: whoever hears it hears its end."""
+        watch = HangWatch()
+        while not self._unwatched.wait(LOOK_S):
+            if watch.look(Signs(self._answers, self._given, self._taken, self._listens)):
+                self.hung = True
+                self._process.kill()
+                return
 
     def _say(self, message: object) -> bool:
         pipe = self._pipe
