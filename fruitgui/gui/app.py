@@ -65,7 +65,9 @@ class Application(QObject):
         self._dress(self.session.settings)
         pages = Pages(self.session, self.theme)
         self.window = MainWindow(self.theme, self.session.messages, self.session.tasks, pages, self._close)
-        self.page_making = PageMaking(self.window, pages.__getitem__, self.window.page, self)
+        self.page_making = PageMaking(
+            self.window, pages.__getitem__, self.window.page, lambda step: pages[step].complete(), self
+        )
         self.page_making.done.connect(self._collector.leave_out)
         self._health = HealthWatch(self.session, self.window.top_bar, self)
         self._speed_watch = SpeedWatch(self.session, self)

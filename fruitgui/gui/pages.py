@@ -6,7 +6,9 @@ A screen's modules are loaded when it is made, so that the window need not wait 
 from __future__ import annotations
 
 import threading
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
@@ -20,7 +22,7 @@ from fruitgui.station.workflow import Step
 PageMaker = Callable[[Session, Theme], StepPage]
 
 BETWEEN_MS = 50
-"""From one screen's making to the next: what a person does meanwhile comes first."""
+"""From one moment of making to the next: what a person does meanwhile comes first."""
 
 
 def page_maker(step: Step) -> PageMaker:
@@ -80,12 +82,14 @@ class PageMaking(QObject):
     """Makes every screen once a window has been painted, so that none is waited for when it is first gone to.
 
     Modules are loaded beside the window; screens are made on its thread, one at a time, once that is done: meanwhile
-    they would wait for Python's lock. Between making one and placing it, where it is dressed, the window listens.
+    they would wait for Python's lock. Between making one, placing it, where it is dressed, and completing it with what
+    is not seen at first, the window listens.
 
     Args:
         window: that is to be painted first.
         make: makes the screen of a step, if it is not there.
         place: puts it where it belongs.
+        complete: makes the rest of it.
 
     Attributes:
         done: every screen is there.
@@ -98,13 +102,13 @@ class PageMaking(QObject):
         window: QWidget,
         make: Callable[[Step], object],
         place: Callable[[Step], object],
+        complete: Callable[[Step], object],
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         make_classes()
-        self._place = place
-        self._unplaced: Step | None = None
-        self._make = make
+        self._make, self._place, self._complete = make, place, complete
+        self._begun: deque[Callable[[], object]] = deque()
         self._wanted = list(Step)
         self._stopped = threading.Event()
         self._thread = threading.Thread(target=self._load, name="loading screens")
@@ -123,7 +127,7 @@ class PageMaking(QObject):
     @property
     def finished(self) -> bool:
         """Whether every screen is there."""
-        return not self._wanted and self._unplaced is None
+        return not self._wanted and not self._begun
 
     @property
     def running(self) -> bool:
@@ -134,7 +138,8 @@ class PageMaking(QObject):
         """Make no more."""
         self._stopped.set()
         self._between.stop()
-        self._place_made()
+        while self._begun:
+            self._begun.popleft()()
         if self._thread.is_alive():
             self._thread.join()
 
@@ -144,16 +149,12 @@ class PageMaking(QObject):
                 page_maker(step)
 
     def _make_next(self) -> None:
-        if self._unplaced is not None:
-            self._place_made()
+        if self._begun:
+            self._begun.popleft()()
         elif not self._wanted:
             self._between.stop()
             self.done.emit()
         elif not self._thread.is_alive():
-            self._unplaced = self._wanted.pop(0)
-            self._make(self._unplaced)
-
-    def _place_made(self) -> None:
-        if self._unplaced is not None:
-            self._place(self._unplaced)
-            self._unplaced = None
+            step = self._wanted.pop(0)
+            self._begun.extend((partial(self._place, step), partial(self._complete, step)))
+            self._make(step)

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QLineEdit
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.lots.fruit_panel import FruitPanel
 from fruitgui.gui.steps.lots.fruit_rows import COLUMNS, Column, Show
 from fruitgui.gui.steps.lots.fruit_table import WIDEST_KIND
 from fruitgui.gui.steps.lots.fruit_view import WIDEST_PICTURE
@@ -57,6 +58,7 @@ def run_session(qtbot: QtBot, tmp_path: Path, written: Path) -> Iterator[Session
 def page(qtbot: QtBot, run_session: Session, theme: Theme) -> Iterator[LotsPage]:
     made = LotsPage(run_session, theme)
     made.resize(1072, 586)
+    made.complete()
     made.show()
     made.entered()
     _settled(qtbot, made)
@@ -88,6 +90,23 @@ def _counts(page: LotsPage) -> dict[str, int]:
     read = page.lot.read
     assert read is not None
     return {one.kind: one.fruit for one in read.figures.kinds}
+
+
+def test_fruit_are_there_whether_or_not_their_list_was_made_before(
+    qtbot: QtBot, run_session: Session, theme: Theme
+) -> None:
+    page = LotsPage(run_session, theme)
+    qtbot.addWidget(page)
+    page.show()
+    page.entered()
+    qtbot.waitUntil(lambda: page.lot.read is not None)
+    assert page.findChild(FruitPanel) is None, "nobody has looked at fruit"
+    page.lot.show_fruit()
+    assert page.lot.at_fruit
+    qtbot.waitUntil(lambda: page.lot.fruit.table.model.rowCount() == MANY)
+    assert page.lot.fruit.table.kind_box.count() == 1 + len(KINDS)
+    page.left()
+    _settled(qtbot, page)
 
 
 def test_the_newest_lot_is_shown_with_its_figures(page: LotsPage) -> None:

@@ -35,26 +35,27 @@ def test_a_screen_is_made_once_when_it_is_first_wanted(qtbot: QtBot, session: Se
 def test_all_screens_are_made_after_the_first_painting(qtbot: QtBot) -> None:
     window, done = QWidget(), list[tuple[str, Step]]()
     qtbot.addWidget(window)
-    making = PageMaking(window, lambda step: done.append(("made", step)), lambda step: done.append(("placed", step)))
+    done_to = [lambda step, what=what: done.append((what, step)) for what in ("made", "placed", "completed")]
+    making = PageMaking(window, *done_to)
     QCoreApplication.processEvents()
     assert not done
     with qtbot.waitSignal(making.done, timeout=60_000):
         window.show()
-    assert done == [(what, step) for step in Step for what in ("made", "placed")]
+    assert done == [(what, step) for step in Step for what in ("made", "placed", "completed")]
     making.stop()
 
 
 def test_no_more_are_made_once_it_is_stopped(qtbot: QtBot) -> None:
-    window, made, placed = QWidget(), list[Step](), list[Step]()
+    window, made, placed, completed = QWidget(), list[Step](), list[Step](), list[Step]()
     qtbot.addWidget(window)
-    making = PageMaking(window, made.append, placed.append)
+    making = PageMaking(window, made.append, placed.append, completed.append)
     with qtbot.waitExposed(window):
         window.show()
     qtbot.waitUntil(lambda: len(made) > 0, timeout=60_000)
     making.stop()
     assert not making.running
     assert not making.finished
-    assert made == placed, "none is left without a place"
+    assert made == placed == completed, "none is left without a place, or unfinished"
 
 
 def test_the_window_loads_no_screen_before_one_is_wanted() -> None:
@@ -73,7 +74,7 @@ from fruitgui.gui.app import make_qt
 from fruitgui.gui.pages import PageMaking
 qt = make_qt()
 lazy = {module: set(dir(module)) - set(vars(module)) for module in (QtCore, QtGui, QtWidgets)}
-making = PageMaking(QtWidgets.QWidget(), print, print)
+making = PageMaking(QtWidgets.QWidget(), print, print, print)
 for module, names in lazy.items():
     print(len(names), len(names - set(vars(module))))
 print(making.running)

@@ -96,6 +96,7 @@ def lost_by(qtbot: QtBot, widget: QWidget) -> int:
 def pages(qtbot: QtBot, session: Session, theme: Theme) -> dict[Step, StepPage]:
     made = dict(Pages(session, theme))
     for page in made.values():
+        page.complete()
         qtbot.addWidget(page)
     qtbot.waitUntil(lambda: not session.tasks.running)
     return made

@@ -93,6 +93,9 @@ class StepPage(QWidget):
             way.setText(text)
             way.setToolTip(tip)
 
+    def complete(self) -> None:
+        """Make what is not seen at first; overridden by pages that have such parts, and make them when asked, too."""
+
     def entered(self) -> None:
         """Come into view; overridden by pages that draw or poll."""
 

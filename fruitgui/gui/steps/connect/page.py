@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QTimer
@@ -49,7 +50,7 @@ class ConnectPage(StepPage):
         self.recording = RecordDesk(session, theme, self)
         self.projectors = ProjectorDesk(session, theme, self)
         self.checkup = CheckupDesk(session, theme, self)
-        self.depth_wizard = DepthWizard(session, theme, self._stack)
+        self._wizard: DepthWizard | None = None
         self._look = QTimer(self, interval=LOOK_MS)
         self.connect_action, self.start_action, self.calibrate_action = QAction(self), QAction(self), QAction(self)
         self.change_action, self.back_action, self.check_action = QAction(self), QAction(self), QAction(self)
@@ -58,10 +59,29 @@ class ConnectPage(StepPage):
         self._connect()
         self._show()
 
+    @property
+    def depth_wizard(self) -> DepthWizard:
+        """Measures how a sensor's depth errs; made when it is first asked for."""
+        if self._wizard is None:
+            self._wizard = DepthWizard(self._session, self._theme, self._stack)
+            self._wizard.changed.connect(self._show_actions)
+            self._wizard.left_it.connect(self._show)
+            self._stack.addWidget(self._wizard)
+        return self._wizard
+
+    @property
+    def _measuring(self) -> bool:
+        return self._wizard is not None and self._wizard.course is not None
+
+    def complete(self) -> None:
+        """Make what measures depth."""
+        _ = self.depth_wizard
+
     def entered(self) -> None:
         """Draw and look for devices."""
         self._in_view = True
-        self.depth_wizard.wake()
+        if self._measuring:
+            self.depth_wizard.wake()
         self._show()
 
     def left(self) -> None:
@@ -69,7 +89,8 @@ class ConnectPage(StepPage):
         self._in_view = False
         self.tiles.run(False)
         self._look.stop()
-        self.depth_wizard.rest()
+        if self._measuring:
+            self.depth_wizard.rest()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
@@ -85,9 +106,7 @@ class ConnectPage(StepPage):
         column.setSpacing(2 * GRID)
         for card in (self.recording.card, self.details, self.turns):
             card.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
-        column.addWidget(self.recording.card)
-        column.addWidget(self.details)
-        column.addWidget(self.turns)
+            column.addWidget(card)
         column.addStretch(1)
         scroll = Scrolled(side, self._running)
         scroll.setFixedWidth(SIDE_WIDTH)
@@ -98,21 +117,19 @@ class ConnectPage(StepPage):
         row.addWidget(scroll)
         self._stack.addWidget(self.chooser)
         self._stack.addWidget(self._running)
-        self._stack.addWidget(self.depth_wizard)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         whole.addWidget(self._stack)
 
     def _connect(self) -> None:
         session = self._session
-        session.connection_changed.connect(self._show)
-        session.station_changed.connect(self._show)
-        session.projectors_changed.connect(self._show)
-        session.connected.changed.connect(self._show)
+        for changed in (
+            session.connection_changed, session.station_changed, session.projectors_changed, session.connected.changed,
+            session.source.changed, session.running.changed,
+        ):  # fmt: skip
+            changed.connect(self._show)
         session.connected.health_changed.connect(self._show_health)
-        session.source.changed.connect(self._show)
-        session.running.changed.connect(self._show)
-        session.source.opened.connect(self._opened)
+        session.source.opened.connect(self._show_connected)
         self.recording.follow(self._show)
         self.chooser.changed.connect(self._show_actions)
         self.chooser.file_wanted.connect(self._ask_for_file)
@@ -120,39 +137,31 @@ class ConnectPage(StepPage):
         self.details.identify.connect(self._identify)
         self.details.correct_depth.connect(self._correct_depth)
         self.turns.measure.clicked.connect(self.projectors.ask)
-        self.depth_wizard.changed.connect(self._show_actions)
-        self.depth_wizard.left_it.connect(self._show)
         self._look.timeout.connect(self._look_for_devices)
         self.connect_action.triggered.connect(self._connect_source)
         self.change_action.triggered.connect(self._change_source)
-        self.back_action.triggered.connect(self._go_back)
+        self.back_action.triggered.connect(self._show_connected)
         self.start_action.triggered.connect(session.start_sensors)
-        self.calibrate_action.triggered.connect(self._go_on)
+        self.calibrate_action.triggered.connect(partial(self.step_wanted.emit, Step.CALIBRATE))
         self.check_action.triggered.connect(self.checkup.ask)
 
     def _say_words(self) -> None:
-        for action, text, tip, icon in (
-            (self.connect_action, self.tr("Connect"), self.tr("Connect the sensors of this source"), "connect"),
-            (self.calibrate_action, self.tr("Calibrate"), self.tr("Go on to calibrating"), "calibrate"),
-            (self.change_action, self.tr("Other source…"), self.tr("Connect something else"), "connect"),
-            (self.start_action, self.tr("Start again"), self.tr("Start the sensors of this source again"), "redo"),
-            (self.back_action, self.tr("Back"), self.tr("Stay with the sensors that are connected"), "left"),
-            (
-                self.check_action,
-                self.tr("Check sensors…"),
-                self.tr("See what is connected and what is wrong"),
-                "search",
-            ),
-        ):
+        for action, text, tip, icon, key in (
+            (self.connect_action, self.tr("Connect"), self.tr("Connect the sensors of this source"), "connect",
+             "Ctrl+Return"),
+            (self.calibrate_action, self.tr("Calibrate"), self.tr("Go on to calibrating"), "calibrate", "Ctrl+Return"),
+            (self.change_action, self.tr("Other source…"), self.tr("Connect something else"), "connect", "Ctrl+N"),
+            (self.start_action, self.tr("Start again"), self.tr("Start the sensors of this source again"), "redo",
+             "Ctrl+Return"),
+            (self.back_action, self.tr("Back"), self.tr("Stay with the sensors that are connected"), "left",
+             "Ctrl+Backspace"),
+            (self.check_action, self.tr("Check sensors…"), self.tr("See what is connected and what is wrong"), "search",
+             "Ctrl+U"),
+        ):  # fmt: skip
             action.setText(text)
             action.setToolTip(tip)
             action.setProperty("drawing", icon)
-        self.connect_action.setShortcut("Ctrl+Return")
-        self.calibrate_action.setShortcut("Ctrl+Return")
-        self.start_action.setShortcut("Ctrl+Return")
-        self.change_action.setShortcut("Ctrl+N")
-        self.back_action.setShortcut("Ctrl+Backspace")
-        self.check_action.setShortcut("Ctrl+U")
+            action.setShortcut(key)
 
     # what is shown
 
@@ -173,9 +182,9 @@ class ConnectPage(StepPage):
                 self._session.source.found.ask()
                 self.chooser.show_found(self._session.source.found.found)
             self.chooser.show_made(self.recording.made())
-            if self.depth_wizard.course is not None:
+            if self._measuring:
                 self.depth_wizard.end()
-        measuring = self.depth_wizard.course is not None
+        measuring = self._measuring
         self._stack.setCurrentIndex(0 if choosing else 2 if measuring else 1)
         self.tiles.run(self._in_view and not choosing and not measuring)
         (self._look.start if self._in_view and choosing else self._look.stop)()
@@ -210,7 +219,7 @@ class ConnectPage(StepPage):
             self.offer(self.connect_action, self.check_action, *back)
             self.say(chooser_advice(chosen=self.chooser.source is not None))
             return
-        if self.depth_wizard.course is not None:
+        if self._measuring:
             self.offer(*self.depth_wizard.actions_now)
             self.say(self.depth_wizard.hint)
             return
@@ -266,22 +275,14 @@ class ConnectPage(StepPage):
         if source is not None:
             self._session.source.choose(source)
 
-    def _opened(self) -> None:
-        self._choosing = False
-        self._show()
-
     def _change_source(self) -> None:
         self._choosing = True
-        self._session.source.found.ask()
-        self.chooser.show_found(self._session.source.found.found)
+        self._look_for_devices()
         self._show()
 
-    def _go_back(self) -> None:
+    def _show_connected(self) -> None:
         self._choosing = False
         self._show()
-
-    def _go_on(self) -> None:
-        self.step_wanted.emit(Step.CALIBRATE)
 
     def _choose(self, name: str) -> None:
         self._note_chosen(name)

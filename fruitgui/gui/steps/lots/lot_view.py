@@ -32,13 +32,15 @@ class LotView(QWidget):
     def __init__(self, theme: Theme, desk: Desk, looks: Looks = kind_marks, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = theme
+        self._desk = desk
         self._looks = looks
+        self._fruit: FruitPanel | None = None
         self._read: ReadLot | None = None
         self._state = LotState.ENDED
         self.name, self.about, self.state, self._icon = label("", "page"), label("", "dim"), label("", "dim"), QLabel()
         self.note = label("", "dim")
         self._stack = QStackedWidget(self)
-        self.summary, self.fruit = Summary(theme, self._stack), FruitPanel(theme, desk, self._stack)
+        self.summary = Summary(theme, self._stack)
         self.summary_button, self.fruit_button = QPushButton(self), QPushButton(self)
         self._lay_out()
         self._connect()
@@ -48,6 +50,18 @@ class LotView(QWidget):
     def lot(self) -> int | None:
         """The key of the lot that is shown."""
         return None if self._read is None else self._read.figures.lot.key
+
+    @property
+    def fruit(self) -> FruitPanel:
+        """Its fruit; made when they are first asked for."""
+        if self._fruit is None:
+            self._fruit = FruitPanel(self._theme, self._desk, self._stack)
+            self._fruit.turned.connect(self.turned)
+            self._stack.addWidget(self._fruit)
+            if self._read is not None:
+                self._fruit.show_kinds(self._read.kinds, self._looks(self._read.kinds))
+                self._fruit.show_lot(self._read.figures.lot.key)
+        return self._fruit
 
     @property
     def read(self) -> ReadLot | None:
@@ -60,10 +74,11 @@ class LotView(QWidget):
         self._read = read
         self._state = state_of(read.figures.lot, running)
         marks = self._looks(read.kinds)
-        self.fruit.show_kinds(read.kinds, marks)
         self.summary.show_figures(read.figures, marks)
-        if other:
-            self.fruit.show_lot(read.figures.lot.key)
+        if self._fruit is not None:
+            self._fruit.show_kinds(read.kinds, marks)
+            if other:
+                self._fruit.show_lot(read.figures.lot.key)
         self._say_words()
 
     def show_spread(self, lot: int, spread: Distribution) -> None:
@@ -82,7 +97,7 @@ class LotView(QWidget):
     @property
     def at_fruit(self) -> bool:
         """Whether the fruit are shown."""
-        return self._stack.currentWidget() is self.fruit
+        return self._stack.currentWidget() is self._fruit
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
@@ -93,7 +108,6 @@ class LotView(QWidget):
     def _lay_out(self) -> None:
         self._icon.setFixedSize(20, 20)
         self._stack.addWidget(self.summary)
-        self._stack.addWidget(self.fruit)
         group = QButtonGroup(self)
         for button in (self.summary_button, self.fruit_button):
             button.setCheckable(True)
@@ -122,7 +136,6 @@ class LotView(QWidget):
 
     def _connect(self) -> None:
         self.fruit_button.toggled.connect(self._turn)
-        self.fruit.turned.connect(self.turned)
         self._theme.changed.connect(self._draw)
 
     def _turn(self) -> None:

@@ -62,6 +62,10 @@ class LotsPage(StepPage):
         self._say_words()
         self._show()
 
+    def complete(self) -> None:
+        """Make the list of fruit."""
+        _ = self.lot.fruit
+
     def entered(self) -> None:
         """Read what has been run."""
         self._in_view = True
@@ -238,7 +242,7 @@ class LotsPage(StepPage):
         if self._looks % SPREADS_EVERY == 0:
             self._spreads_old = True
             self._read_spreads()
-        if not self.lot.fruit.opened:
+        if self.lot.at_fruit and not self.lot.fruit.opened:
             self.lot.fruit.table.model.refresh()
 
     def _corrected(self, word: Word) -> None:
