@@ -99,9 +99,18 @@ class Application(QObject):
         """Return what is said of a file that could not be read; the last good one is offered where there is one."""
 
         def told() -> Told:
-            what = self.tr("{file} is damaged; it was set aside, unharmed.").format(file=damage.file.name)
+            if damage.set_aside is None:
+                what, why = (
+                    self.tr("{file} cannot be used; it lies where it was."),
+                    error_words.told(damage.error).remedy,
+                )
+            else:
+                what, why = (
+                    self.tr("{file} is damaged; it was set aside, unharmed."),
+                    error_words.told(damage.error).what,
+                )
             action = "" if damage.last_good is None else self.tr("Take the last good one")
-            return Told(what, error_words.told(damage.error).what, action)
+            return Told(what.format(file=damage.file.name), why, action)
 
         take = None if damage.last_good is None else partial(self.session.take_last_good, damage)
         return Message(Level.BAD, told, take, stays=True)

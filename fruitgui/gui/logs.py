@@ -17,18 +17,25 @@ MOST_BYTES = 2_000_000
 log = logging.getLogger(__name__)
 
 
+class _LogFile(RotatingFileHandler):
+    """A log that a full disk cannot take is let go: the window says what is wrong."""
+
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - the library's name
+        """Do nothing."""
+
+
 class Logs:
     """The log files of one window; opened at the start, closed at the end."""
 
     def __init__(self, folder: Path) -> None:
         self.path = folder / LOG
         self._crash_path = folder / CRASH
-        self._handler: RotatingFileHandler | None = None
+        self._handler: _LogFile | None = None
         self._hook = sys.excepthook
 
     def open(self, tell: Callable[[BaseException], None]) -> None:
         """Begin to write, and tell of what nobody caught."""
-        self._handler = RotatingFileHandler(self.path, maxBytes=MOST_BYTES, backupCount=2, encoding="utf-8")
+        self._handler = _LogFile(self.path, maxBytes=MOST_BYTES, backupCount=2, encoding="utf-8")
         self._handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s %(message)s"))
         logging.getLogger().addHandler(self._handler)
         logging.getLogger("fruitgui").setLevel(logging.INFO)

@@ -16,7 +16,7 @@ from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.numbers import count_text
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.steps.live.tally import Tally
-from fruitgui.gui.tasks import Job, Task, TaskRunner
+from fruitgui.gui.tasks import Job, TaskRunner
 from fruitgui.gui.told import Told, Words
 from fruitgui.gui.troubles import Troubles
 from fruitgui.progress import Cancelled, Progress
@@ -77,6 +77,7 @@ class Running(QObject):
         self._spells.failed.connect(messages.error)
         self._noted: dict[SpellSort, tuple[int, Blind | None]] = {}
         self._troubles = Troubles(self._spells, store.spells)
+        self._busy = self._stopping = False
         self.lot: Lot | None = None
         self.kinds: tuple[str, ...] = ()
         self.tally = Tally()
@@ -89,6 +90,16 @@ class Running(QObject):
     def running(self) -> bool:
         """Whether the line runs, counting or not."""
         return self._line is not None
+
+    @property
+    def busy(self) -> bool:
+        """Whether the lot is being started, paused, taken up or ended: until that is done, nothing else is begun."""
+        return self._busy
+
+    @property
+    def stopped(self) -> bool:
+        """Whether the line was stopped, but what it counted, or the lot's end, could not be kept yet."""
+        return self._stopping and not self._busy
 
     @property
     def paused(self) -> bool:
@@ -132,7 +143,7 @@ class Running(QObject):
     def pause(self) -> None:
         """Let fruit pass uncounted."""
         line, lot = self._line, self.lot
-        if line is None or lot is None:
+        if line is None or lot is None or self._busy or self._stopping:
             return
         line.count_into(None)
         self._keep(lambda: self._store.lots.pause(lot.key))
@@ -140,16 +151,20 @@ class Running(QObject):
     def resume(self) -> None:
         """Count again."""
         line, lot = self._line, self.lot
-        if line is None or lot is None:
+        if line is None or lot is None or self._busy or self._stopping:
             return
         line.count_into(lot.key)
         self._keep(lambda: self._store.lots.resume(lot.key))
 
     def end_lot(self) -> None:
-        """Stop the line, count what is in view, and end the lot; one that was left open ends as it is."""
+        """Stop the line, count what is in view, and end the lot; one that was left open ends as it is.
+
+        While fruit that wait for the disk cannot be kept the lot stays open, and they wait: it can be ended later.
+        """
         line, lot = self._line, self.lot
-        if lot is None:
+        if lot is None or self._busy:
             return
+        self._stopping = line is not None
 
         def job(progress: Progress, cancelled: Cancelled) -> EndedLot:  # noqa: ARG001 - it ends within seconds
             if line is None:
@@ -157,6 +172,7 @@ class Running(QObject):
             else:
                 progress(0.0, IN_VIEW)
                 line.stop()
+                line.keep_rest()
                 ended = self._store.lots.end(lot.key)
             return EndedLot(ended, sum(one.fruit for one in self._store.lots.totals(lot.key)))
 
@@ -173,7 +189,7 @@ class Running(QObject):
 
     def _begin(self, plan: LinePlan, lot: Callable[[], Lot]) -> None:
         now = self._connected.feed
-        if now is None or self._line is not None:
+        if now is None or self._line is not None or self._busy:
             return
         if plan.again is not None:
             self._connected.release()
@@ -196,8 +212,8 @@ class Running(QObject):
         self.changed.emit()
 
     def _ended(self, ended: EndedLot) -> None:
-        self._look()
-        self._line, self.lot = None, None
+        (self._look if self._tick.isActive() else self._take_counted)()
+        self._line, self.lot, self._stopping = None, None, False
         self._tick.stop()
         self._messages.good(lambda: _ended_told(ended))
         self.changed.emit()
@@ -208,17 +224,30 @@ class Running(QObject):
 
         self._run(lambda: translate("Running", "Keeping the lot"), job, self._kept)
 
+    def _left(self, lot: Lot) -> None:
+        self._take_counted()
+        self._line, self._stopping = None, False
+        self._kept(lot)
+
     def _kept(self, lot: Lot) -> None:
         self.lot = lot
         self.changed.emit()
 
-    def _run(self, name: Words, job: Job[T], done: Callable[[T], None]) -> Task[T]:
+    def _run(self, name: Words, job: Job[T], done: Callable[[T], None]) -> None:
+        self._busy = True
         task = self._tasks.run(name, job, _doing)
+        for over in (task.succeeded, task.failed, task.cancelled):
+            over.connect(self._rest)
         task.succeeded.connect(done)
         task.failed.connect(self._failed)
-        return task
+
+    def _rest(self) -> None:
+        self._busy = False
 
     def _failed(self, error: FruitguiError) -> None:
+        """Say what failed; a pause, or its end, that could not be kept is none: the line does what the lot says."""
+        if self._line is not None and self.lot is not None:
+            self._line.count_into(None if self.lot.paused else self.lot.key)
         self._messages.error(error)
         self.changed.emit()
 
@@ -229,6 +258,9 @@ class Running(QObject):
             self._watch_rig(self._state)
             self._note_spells(None if self.paused else self._state)
             self._note_troubles(self._state.warnings)
+        self._take_counted()
+
+    def _take_counted(self) -> None:
         now_s = time.monotonic()
         for counted in () if self._sink is None else self._sink.drain():
             self.tally.count(counted.fruit, now_s)
@@ -261,18 +293,19 @@ class Running(QObject):
     def _sensors_changed(self) -> None:
         """Stop the line when its sensors are taken away; the lot stays open."""
         line, lot = self._line, self.lot
-        if line is None or lot is None:
+        if line is None or lot is None or self._stopping:
             return
-        self._line = None
+        self._stopping = True
         self._tick.stop()
         self._note_spells(None)
         self._note_troubles(())
 
         def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - it ends within seconds
             line.stop()
+            line.keep_rest()
             return self._store.lots.pause(lot.key)
 
-        self._run(lambda: translate("Running", "Stopping the line"), job, self._kept)
+        self._run(lambda: translate("Running", "Stopping the line"), job, self._left)
         self._messages.say(Message(Level.BAD, _sensors_changed, stays=True))
 
 

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 
 from PySide6.QtCore import QObject, Signal, SignalInstance
 
+from fruitgui.errors import WorldError
 from fruitgui.gui.beginning import LinePlan
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.kind_book import KindBook
@@ -26,6 +27,7 @@ from fruitgui.records.store import open_store
 from fruitgui.station.connection import Connection
 from fruitgui.station.depths import DeviceDepths
 from fruitgui.station.facts import facts_of
+from fruitgui.station.holding import hold
 from fruitgui.station.kept_file import Damage, KeptFile
 from fruitgui.station.kinds_file import KindNotes
 from fruitgui.station.projectors import Projectors
@@ -72,7 +74,7 @@ class Session(QObject):
         """Open the workspace's files.
 
         Raises:
-            WorldError: the records cannot be opened, see `open_store`.
+            WorldError: another window has them, see `hold`; or the records cannot be opened, see `open_store`.
         """
         super().__init__(parent)
         self.workspace = workspace
@@ -80,7 +82,12 @@ class Session(QObject):
         self.tasks = TaskRunner(self)
         self.connected = Connected(self)
         self.source = SourceRunner(sources or Sources(), self.connected, self.tasks, self.messages, self)
-        self.store = open_store(workspace.folder)
+        self._held = hold(workspace.folder)
+        try:
+            self.store = open_store(workspace.folder)
+        except WorldError:
+            self._held.let_go()
+            raise
         self.recorder = Recorder(workspace.folder / RECORDINGS, self.connected, self.messages, self)
         self.running = Running(self.store, self.connected, self.tasks, self.messages, self)
         self.steadiness = SensorsSteadiness(self.connected, self.running, self.messages, self)
@@ -166,6 +173,7 @@ class Session(QObject):
             self._saving.finish(),
         ]
         self.store.close()
+        self._held.let_go()
         return all(ended)
 
     def start_sensors(self) -> None:

@@ -102,6 +102,15 @@ def test_a_damaged_station_is_set_aside_and_the_last_good_one_is_a_press_away(
         assert workspace.station.load().value is not None
 
 
+def test_what_could_not_be_set_aside_is_not_said_to_be(qapp: QApplication, tmp_path: Path) -> None:
+    workspace = open_workspace(tmp_path / "line")
+    workspace.station.path.mkdir()
+    with opened(qapp, workspace) as application:
+        (message,) = application.session.messages.history
+        assert "station.json cannot be used; it lies where it was" in message.what
+    assert workspace.station.path.is_dir()
+
+
 def test_a_damaged_model_is_said_before_a_lot_needs_it_and_the_last_good_one_is_a_press_away(
     qtbot: QtBot, qapp: QApplication, tmp_path: Path
 ) -> None:

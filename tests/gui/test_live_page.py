@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import threading
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
+from fruitgui.errors import WorldError
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.live.end_dialog import EndDialog
 from fruitgui.gui.steps.live.lot_dialog import LotDialog
@@ -191,7 +194,7 @@ def test_a_lot_that_was_left_open_is_taken_up_again(
 ) -> None:
     _start(qtbot, session, ready)
     _run_to_the_end(qtbot, session)
-    session.running.close()
+    session.close()
     again = Session(session.workspace)
     try:
         again.running.find_open_lot()
@@ -219,3 +222,63 @@ def test_taking_the_sensors_away_stops_the_line_and_keeps_the_lot(
     assert not session.running.running
     assert session.running.lot is not None
     assert ready.main_action is ready.take_up
+
+
+def test_however_often_it_is_pressed_one_line_counts(qtbot: QtBot, session: Session, ready: LivePage) -> None:
+    _start(qtbot, session, ready)
+    session.connected.stop()
+    qtbot.waitUntil(lambda: session.running.paused and not session.tasks.running, timeout=LONG_MS)
+    session.start_sensors()
+    qtbot.waitUntil(lambda: session.connected.feed is not None and not session.tasks.running, timeout=LONG_MS)
+    for _ in range(3):
+        ready.take_up.trigger()
+    qtbot.waitUntil(lambda: session.running.running and not session.tasks.running, timeout=LONG_MS)
+    lines = [one for one in threading.enumerate() if one.name == "line gives"]
+    assert len(lines) == 1, "each would count every fruit into the lot"
+    _run_to_the_end(qtbot, session)
+    assert session.running.tally.count_all == FRUIT
+
+
+FULL = WorldError("disk_full", "The disk is full.", "Make room.")
+
+
+def _full(*_given: object) -> None:
+    raise FULL
+
+
+def test_a_pause_that_cannot_be_kept_is_none(
+    qtbot: QtBot, session: Session, ready: LivePage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _start(qtbot, session, ready)
+    lot = session.running.lot
+    assert lot is not None
+    with monkeypatch.context() as full:
+        full.setattr(session.store.lots, "pause", _full)
+        ready.pause.trigger()
+        qtbot.waitUntil(lambda: not session.tasks.running, timeout=LONG_MS)
+    assert "disk is full" in session.messages.history[-1].what
+    assert not session.running.paused
+    _run_to_the_end(qtbot, session)
+    _end(qtbot, session, ready)
+    assert session.running.tally.count_all == FRUIT, "the screen said that the lot was running"
+
+
+def test_a_lot_that_ends_while_the_disk_is_full_loses_nothing(
+    qtbot: QtBot, session: Session, ready: LivePage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as full:
+        full.setattr(session.store, "commit", _full)
+        _start(qtbot, session, ready)
+        _run_to_the_end(qtbot, session)
+        qtbot.mouseClick(_asked_to_end(ready).end, Qt.MouseButton.LeftButton)
+        qtbot.waitUntil(lambda: session.running.stopped, timeout=LONG_MS)
+        lot = session.running.lot
+        assert lot is not None
+        assert session.store.lots.get(lot.key).ended_s is None
+        assert ready.hint.startswith("Lot 1184 is still open")
+        assert ready.body.standing.isVisible(), "nothing is counted any more"
+        assert (ready.main_action, ready.other_actions) == (ready.end, ())
+    _end(qtbot, session, ready)
+    assert session.running.tally.count_all == FRUIT
+    (kept,) = session.store.lots.find(LotQuery()).lots
+    assert (kept.fruit, kept.lot.ended_s is not None) == (FRUIT, True)

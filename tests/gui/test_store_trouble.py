@@ -164,3 +164,12 @@ def test_giving_up_changes_nothing_and_says_why(folder: Path) -> None:
         opened(lambda: Session(open_workspace(folder)), trouble)
     assert raised.value.code == "store_damaged"
     assert (folder / "records.sqlite").read_bytes() == before
+
+
+def test_a_second_window_on_one_line_is_refused_until_the_first_is_closed(tmp_path: Path) -> None:
+    first = Session(open_workspace(tmp_path / "line"))
+    with pytest.raises(WorldError) as raised:
+        Session(open_workspace(tmp_path / "line"))
+    assert raised.value.code == "line_open"
+    assert first.close()
+    assert Session(open_workspace(tmp_path / "line")).close()

@@ -20,6 +20,10 @@ def words() -> Mapping[str, tuple[str, str]]:
             translate("Errors", "{value} is no measure."),
             translate("Errors", "Type a number above zero."),
         ),
+        "line_open": (
+            translate("Errors", "Another window has this line open."),
+            translate("Errors", "Go on in that window, or close it and try again."),
+        ),
         "lot_ended": (
             translate("Errors", "Lot {lot} is ended."),
             translate("Errors", "Start another lot."),

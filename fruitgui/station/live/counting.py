@@ -15,6 +15,7 @@ from fruitgui.station.sink import CountedFruit
 from fruitgui.station.waiting import BufferedSink, SinkState
 
 T = TypeVar("T")
+R = TypeVar("R")
 
 RETRY_S = 2.0
 LAST_FRUIT = 12
@@ -31,8 +32,8 @@ class Counts(Protocol):
     def count(self, finished: Finished, lot: int | None) -> None:
         """Count a fruit into a lot; None lets it pass uncounted."""
 
-    def retry(self) -> None:
-        """Try again to keep what waits, if anything does."""
+    def retry(self) -> bool:
+        """Try again to keep some of what waits; return whether more of it can be tried at once."""
 
     @property
     def totals(self) -> Totals:
@@ -99,10 +100,13 @@ class Counting:
             del self._unkept[next(iter(self._unkept))]
         self._add(self._sink.take(lot, finished.fruit, finished.crops))
 
-    def retry(self) -> None:
-        """Try again to keep what waits, if anything does."""
-        if self._sink.state.waiting:
-            self._add(self._sink.retry())
+    def retry(self) -> bool:
+        """Try again to keep some of what waits; return whether more of it can be tried at once."""
+        if not self._sink.state.waiting:
+            return False
+        counted = self._sink.retry()
+        self._add(counted)
+        return bool(counted) and self._sink.state.waiting > 0
 
     def _add(self, counted: Sequence[CountedFruit]) -> None:
         """Count what is durable now."""
@@ -119,10 +123,10 @@ class Counting:
 def count_all(
     take: Callable[[float], T | None],
     count: Callable[[T], None],
-    retry: Callable[[], None],
+    retry: Callable[[], bool],
     warn: Callable[[str, str, tuple[str, ...]], None],
 ) -> None:
-    """Count one thing after the other, and try again to keep what waits whenever nothing comes, and at the end.
+    """Count one thing after the other, and try again to keep what waits whenever nothing comes; at the end, all of it.
 
     What cannot be counted is said, and ends nothing.
 
@@ -133,11 +137,12 @@ def count_all(
         warn: told what went wrong: code, text, sensors.
     """
 
-    def attempt(do: Callable[[], None]) -> None:
+    def attempt(do: Callable[[], R]) -> R | None:
         try:
-            do()
+            return do()
         except Exception as error:  # noqa: BLE001 - one fruit must not end the line; it is said
             warn("fruit_not_counted", f"A fruit was followed but could not be counted: {error}", ())
+            return None
 
     while True:
         try:
@@ -148,7 +153,8 @@ def count_all(
         if one is None:
             break
         attempt(partial(count, one))
-    attempt(retry)
+    while attempt(retry):
+        pass
 
 
 def _with(totals: Totals, fruit: Fruit) -> Totals:

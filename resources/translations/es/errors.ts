@@ -536,6 +536,14 @@
         <translation>Escriba un número mayor que cero.</translation>
     </message>
     <message>
+        <source>Another window has this line open.</source>
+        <translation>Otra ventana tiene abierta esta línea.</translation>
+    </message>
+    <message>
+        <source>Go on in that window, or close it and try again.</source>
+        <translation>Siga en esa ventana, o ciérrela y vuelva a intentarlo.</translation>
+    </message>
+    <message>
         <source>Lot {lot} is ended.</source>
         <translation>El lote {lot} ya terminó.</translation>
     </message>

@@ -47,6 +47,10 @@
         <translation>la ventana</translation>
     </message>
     <message>
+        <source>{file} cannot be used; it lies where it was.</source>
+        <translation>{file} no se puede usar; quedó donde estaba.</translation>
+    </message>
+    <message>
         <source>{file} is damaged; it was set aside, unharmed.</source>
         <translation>{file} está dañado; se apartó sin tocarlo.</translation>
     </message>

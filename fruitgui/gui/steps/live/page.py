@@ -136,7 +136,10 @@ class LivePage(StepPage):
         for action in (self.start, self.take_up):
             action.setEnabled(ready and not still)
         ways = tuple(map(self.way_to, ways_on(state)))
-        if not ready and ways:
+        if lot is not None and self._running.stopped:
+            self.offer(self.end)
+            self.say(self._left_open(lot))
+        elif not ready and ways:
             self.offer(ways[0], *((self.end,) if lot is not None else ()))
             self.say(reason_text(state) if lot is None else f"{self._left_open(lot)} {reason_text(state)}")
         elif still:
@@ -165,7 +168,7 @@ class LivePage(StepPage):
 
     def _say_standing(self) -> None:
         """Say in large where a lot is open and nothing is counted."""
-        lot, running = self._running.lot, self._running.running
+        lot, running = self._running.lot, self._running.running and not self._running.stopped
         if lot is None or (running and not lot.paused):
             self.body.standing.show_words("", "")
             return
@@ -243,7 +246,7 @@ class LivePage(StepPage):
 
     def _ask(self) -> None:
         """Ask for the lot's name, once what to propose is read."""
-        if self._dialog is None:
+        if self._dialog is None and not self._running.busy:
             self._queries.ask("words", self._session.lot_words, self._open_dialog)
 
     def _open_dialog(self, words: LotWords) -> None:
@@ -262,7 +265,7 @@ class LivePage(StepPage):
     def _ask_end(self) -> None:
         """Ask whether the lot shall end: what is ended cannot be taken up again."""
         lot = self._running.lot
-        if lot is not None and self._question is None:
+        if lot is not None and self._question is None and not self._running.busy:
             self._question = EndDialog(lot, self._running.tally.count_all, running=self._running.running, parent=self)
             self._question.finished.connect(self._asked_end)
             self._question.open()

@@ -153,8 +153,9 @@ class HandedBack:
         """Give a fruit back."""
         self._voice.say(Out(finished, lot))
 
-    def retry(self) -> None:
+    def retry(self) -> bool:
         """Do nothing: fruit wait where they are kept."""
+        return False
 
 
 class Inside:

@@ -115,6 +115,18 @@ class LineApart:
         self._processes.give_back()
         return done
 
+    def keep_rest(self) -> None:
+        """Keep what still waited for the disk when the line was stopped. Any number of times.
+
+        Raises:
+            WorldError: the store cannot take it; it waits on.
+        """
+        while self._counting.retry():
+            pass
+        left = self._counting.sink_state
+        if left.waiting and left.problem is not None:
+            raise left.problem
+
     def wait(self, timeout_s: float) -> bool:
         """Wait until the line has ended by itself (its recordings are over); return whether it has."""
         until_s = time.monotonic() + timeout_s
