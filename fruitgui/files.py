@@ -26,12 +26,12 @@ def written_whole(path: Path) -> Iterator[Path]:
         WorldError: the folder is missing or not writable, the disk is full, or `path` is no regular file (a device
             would be replaced by a file).
     """
-    path = path.resolve()
-    if path.exists() and not path.is_file():
-        raise WorldError(
-            "cannot_write", f"{path} is not a regular file.", "Name a file that may be replaced.", file=path
-        )
     try:
+        path = path.resolve()
+        if path.exists() and not path.is_file():
+            raise WorldError(
+                "cannot_write", f"{path} is not a regular file.", "Name a file that may be replaced.", file=path
+            )
         handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
     except OSError as error:
         raise _cannot_write(path, error) from error

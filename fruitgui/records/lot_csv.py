@@ -33,7 +33,11 @@ HEADER = (
 `sensors_away` names those that gave nothing while the fruit passed, up to when it was counted, `sensors_sparse` those
 that gave too few pictures for the belt's speed; `lot_unseen_s` is for how long fruit of this lot may have passed
 unseen, or too seldom seen to be counted; `lot_sensors` tells which device each sensor of the lot was: name=serial,
-or the name alone where it has none."""
+or the name alone where it has none. A word that a spreadsheet would take for a formula has an apostrophe before it: of
+kinds, the lot, its recipe and outlet."""
+
+FORMULAS = ("=", "+", "-", "@", "\t", "\r")
+"""With these a cell begins that a spreadsheet works out, or runs."""
 
 TOLD_EVERY = 2_000
 
@@ -73,13 +77,20 @@ def write_lot(
 
 def _row(lot: Lot, fruit: FruitRecord) -> Iterable[object]:
     return (
-        lot.name, fruit.number, fruit.kind, fruit.machine_kind, _digits(fruit.kind_probability, 1), int(fruit.counted),
+        _word(lot.name), fruit.number, _word(fruit.kind), _word(fruit.machine_kind),
+        _digits(fruit.kind_probability, 1), int(fruit.counted),
         *_quantity(fruit.volume_m3, ML_PER_M3), *_quantity(fruit.mass_kg, G_PER_KG),
         *_quantity(fruit.length_m, MM_PER_M), *_quantity(fruit.diameter_m, MM_PER_M),
-        *_quantity(fruit.perimeter_m, MM_PER_M), fruit.views, _digits(fruit.coverage, 1), lot.recipe, "", fruit.outlet,
+        *_quantity(fruit.perimeter_m, MM_PER_M), fruit.views, _digits(fruit.coverage, 1),
+        _word(lot.recipe), "", _word(fruit.outlet),
         datetime.fromtimestamp(fruit.counted_s, UTC).isoformat(timespec="milliseconds"),
         fruit.first_seen_s, fruit.last_seen_s,
     )  # fmt: skip
+
+
+def _word(text: str | None) -> str | None:
+    """Return a word that a person chose as one that stays a word in every spreadsheet."""
+    return f"'{text}" if text is not None and text.startswith(FORMULAS) else text
 
 
 def _unseen_s(lot: Lot, now_s: float) -> float:

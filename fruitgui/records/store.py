@@ -20,6 +20,7 @@ from fruitgui.records.restore import finish_restore
 from fruitgui.records.settings_history import SettingsHistory
 from fruitgui.records.spells import Spells
 from fruitgui.records.teaching import Teaching
+from fruitgui.records.told import damaged
 from fruitgui.station.fruit import Fruit
 from fruitgui.station.sink import CountedFruit, Crop
 
@@ -46,6 +47,7 @@ class Store:
     def __init__(self, folder: Path, now_s: Callable[[], float] = time.time) -> None:
         self.folder = folder
         finish_restore(folder)
+        _refuse_emptied(folder)
         if version_of(folder / RECORDS.file) is None and (folder / PICTURES.file).exists():
             set_aside(folder / PICTURES.file)  # of other records: new fruit would be shown with old pictures
         self._records = bring_up_to_date(folder / RECORDS.file, RECORDS)
@@ -80,6 +82,13 @@ class Store:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+
+def _refuse_emptied(folder: Path) -> None:
+    """Raise `store_damaged` where the records' file has nothing in it though it had: their pictures are there."""
+    records = folder / RECORDS.file
+    if records.exists() and records.stat().st_size == 0 and version_of(folder / PICTURES.file) is not None:
+        raise damaged(records, "it is empty, and the pictures of its fruit are there")
 
 
 def open_store(folder: Path, now_s: Callable[[], float] = time.time) -> Store:

@@ -350,7 +350,14 @@ def test_a_way_without_a_station_is_seen_in_its_own_plane() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "file"), [("1184", "lot-1184"), ("12/3 Peñón: a?", "lot-12-3-Peñón-a"), ("///", "lot"), ("..", "lot")]
+    ("name", "file"),
+    [
+        ("1184", "lot-1184"),
+        ("12/3 Peñón: a?", "lot-12-3-Peñón-a"),
+        ("///", "lot"),
+        ("..", "lot"),
+        ("漢" * 900, f"lot-{'漢' * 40}"),
+    ],
 )
 def test_names_of_files_can_be_kept_anywhere(name: str, file: str) -> None:
     assert file_name("lot", name) == file

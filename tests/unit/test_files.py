@@ -66,3 +66,10 @@ def test_json_errors_name_line_and_column(tmp_path: Path) -> None:
     with pytest.raises(InputError) as caught:
         read_json(path)
     assert caught.value.where == "line 2, column 8"
+
+
+def test_a_name_that_is_too_long_is_told(tmp_path: Path) -> None:
+    with pytest.raises(WorldError) as caught, written_whole(tmp_path / ("a" * 3000)):
+        pass
+    assert caught.value.code == "cannot_write"
+    assert list(tmp_path.iterdir()) == []

@@ -153,6 +153,17 @@ def test_a_damaged_file_is_told_and_left_as_it_is(tmp_path: Path) -> None:
     assert (tmp_path / "records.sqlite").read_bytes() == b"no database at all" * 1000
 
 
+def test_records_that_were_emptied_are_told_and_not_begun_anew_unasked(tmp_path: Path) -> None:
+    open_store(tmp_path).close()
+    (tmp_path / "records.sqlite").write_bytes(b"")
+    with pytest.raises(WorldError) as caught:
+        open_store(tmp_path)
+    assert caught.value.code == "store_damaged"
+    assert sorted(path.name for path in tmp_path.glob("*.sqlite")) == ["pictures.sqlite", "records.sqlite"]
+    (tmp_path / "pictures.sqlite").unlink()  # nothing was ever in them: a start that was cut off
+    open_store(tmp_path).close()
+
+
 def test_a_missing_folder_is_told(tmp_path: Path) -> None:
     with pytest.raises(WorldError) as caught:
         open_store(tmp_path / "nowhere")

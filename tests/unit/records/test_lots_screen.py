@@ -210,6 +210,17 @@ def test_a_lot_as_csv_has_units_and_what_was_left_out(store: Store, lot: Lot, tm
     assert rows[5]["volume_ml"] == rows[5]["machine_kind"] == ""
 
 
+@pytest.mark.parametrize("kind", ["=cmd|' /C calc'!A0", "+1", "-1", "@SUM(A1)"])
+def test_a_table_of_a_lot_holds_no_formula(store: Store, tmp_path: Path, kind: str) -> None:
+    lot = store.lots.start(LotPlan(kind, recipe=kind))
+    store.commit(lot.key, replace(made_fruit(1), kind=kind), ())
+    path = tmp_path / "lot.csv"
+    write_lot(store, lot.key, path)
+    (row,) = csv.DictReader(path.read_text(encoding="utf-8").splitlines())
+    assert {row[name] for name in ("lot", "kind", "machine_kind", "recipe")} == {f"'{kind}"}
+    assert not any(cell.startswith(("=", "+", "@")) for cell in row.values())
+
+
 def test_a_lot_as_csv_says_which_sensors_were_away_for_which_fruit_and_for_how_long_fruit_may_be_missing(
     store: Store, lot: Lot, clock: Clock, tmp_path: Path
 ) -> None:

@@ -88,7 +88,12 @@ class HandingOn(QObject):
         write(lot, path)
 
 
+MOST_BYTES = 120
+"""Of a proposed name: half of what file systems take, so that it can be written beside under a longer one."""
+
+
 def file_name(word: str, name: str) -> str:
     """Return a name that every file system takes."""
-    plain = re.sub(r"[^\w.-]+", "-", name).strip("-.")
+    short = re.sub(r"[^\w.-]+", "-", name).encode()[:MOST_BYTES].decode(errors="ignore")
+    plain = short.strip("-.")
     return f"{word}-{plain}" if plain else word
