@@ -49,7 +49,8 @@ class RealSenseCamera:
         pose = _pose(depth.get_extrinsics_to(color))
         same = depth_camera == color_camera and np.allclose(pose.translation_m, 0.0)
         name = self._device.get_info(rs.camera_info.name)
-        return Opened(name, color_camera, None if same else Registration(depth_camera, color_camera, pose))
+        registration = None if same else Registration(depth_camera, color_camera, pose)
+        return Opened(name, color_camera, registration, _told(self._device, rs.camera_info.firmware_version))
 
     def next(self, timeout_s: float) -> Shot | None:
         """Return the next capture; None where none comes in time. Raises `WorldError` where the device is gone."""
@@ -97,12 +98,15 @@ def _serials(rs: Sdk) -> set[str]:
 
 
 def _plugged(device: Sdk, info: Sdk) -> PluggedDevice:
-    def told(what: Sdk) -> str:
-        return str(device.get_info(what)) if device.supports(what) else ""
+    limits = (_USB_2,) if _told(device, info.usb_type_descriptor).startswith("2") else ()
+    name = _told(device, info.name).removeprefix("Intel ")
+    serial, firmware = _told(device, info.serial_number), _told(device, info.firmware_version)
+    return PluggedDevice("realsense", name, serial, firmware, limits)
 
-    limits = (_USB_2,) if told(info.usb_type_descriptor).startswith("2") else ()
-    name = told(info.name).removeprefix("Intel ")
-    return PluggedDevice("realsense", name, told(info.serial_number), told(info.firmware_version), limits)
+
+def _told(device: Sdk, what: Sdk) -> str:
+    """Return what a device says of itself; empty where it does not."""
+    return str(device.get_info(what)) if device.supports(what) else ""
 
 
 def _camera(told: Sdk) -> Intrinsics:

@@ -43,11 +43,13 @@ class Opened:
         model: for people.
         color: its colour camera.
         registration: how its depth comes into the colour picture; None where it is there already.
+        firmware: as it says; empty where it does not.
     """
 
     model: str
     color: Intrinsics
     registration: Registration | None = None
+    firmware: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,8 +120,9 @@ class SdkSensor:
         """Who this is; its cameras are a usual one's until it has run."""
         opened = self._opened
         return SensorInfo(
-            self._name, self._maker, opened.model, self._serial, opened.color, RATE_HZ, projector=self._projector
-        )
+            self._name, self._maker, opened.model, self._serial, opened.color, RATE_HZ, projector=self._projector,
+            firmware=opened.firmware,
+        )  # fmt: skip
 
     def open(self) -> None:
         """Load the SDK. Raises `WorldError` where it is not installed, or the device is not there."""

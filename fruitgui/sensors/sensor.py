@@ -51,6 +51,7 @@ class SensorInfo:
         rate_hz: nominal frame rate, when not taking turns.
         projector: whether it has to take turns with others.
         color_lock: whether exposure and white balance stay as they are; may change while it runs.
+        firmware: of the device, as it says; empty where it does not, or not yet.
     """
 
     sensor: str
@@ -61,6 +62,7 @@ class SensorInfo:
     rate_hz: float
     projector: Projector = Projector.HARMLESS
     color_lock: ColorLock = ColorLock.UNKNOWN
+    firmware: str = ""
 
 
 class SensorTimeoutError(WorldError):

@@ -4,15 +4,19 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from fruitgui.errors import WorldError
+from fruitgui.frame import Intrinsics
 from fruitgui.gui.steps.connect.arrangement import arranged
+from fruitgui.gui.steps.connect.details import SensorDetails
 from fruitgui.gui.steps.connect.presenter import SensorView, sensor_views, summary
 from fruitgui.gui.steps.connect.tile import SensorTile
 from fruitgui.gui.steps.connect.words import Condition, condition, lost_text, name_problem, rate_text
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.sensors.feed import Running, SensorHealth
+from fruitgui.sensors.sensor import SensorInfo
 from fruitgui.station.connection import ConnectedSensor, Connection
 
 
@@ -69,6 +73,19 @@ def test_sensors_come_in_the_order_of_the_connection_with_the_reference_marked()
     assert {view.condition.word for view in sensor_views(connection, {}, {}, opening=True)} == {"starting"}
     assert summary(views) == (0, 2)
     assert sensor_views(None, {}, {}, opening=False) == ()
+
+
+def test_the_firmware_stands_among_the_facts_where_it_is_known(qtbot: QtBot, theme: Theme) -> None:
+    connection = Connection(source={"kind": "devices"}, sensors=(ConnectedSensor(device="a", name="a"),))
+    info = SensorInfo("a", "Microsoft", "Kinect 1473", "A1", Intrinsics(640, 480, 525.0, 525.0, 319.5, 239.5), 30.0)
+    details = SensorDetails(theme)
+    qtbot.addWidget(details)
+    details.show()
+    for firmware in ("1.15", ""):
+        (view,) = sensor_views(connection, {"a": replace(info, firmware=firmware)}, {}, opening=False)
+        details.show_view(view, ())
+        shown = [one.text() for one in details.findChildren(QLabel) if one.isVisible()]
+        assert ("Firmware" in shown, "1.15" in shown) == (bool(firmware), bool(firmware))
 
 
 @pytest.mark.parametrize("count", range(1, 9))

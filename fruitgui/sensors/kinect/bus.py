@@ -45,6 +45,11 @@ class Camera:
     release: int
     unknown: Unknown | None = None
 
+    @property
+    def firmware(self) -> str:
+        """Its release as people write it."""
+        return f"{self.release >> 8:x}.{self.release & 0xFF:02x}"
+
 
 @dataclass(frozen=True, slots=True)
 class _Listed:

@@ -94,7 +94,6 @@ class KinectDriver:
 
 def _plugged(camera: Camera, known: bool) -> PluggedDevice:
     code, sentence = ("", "") if known else _HINDRANCES[camera.unknown]
-    firmware = f"{camera.release >> 8:x}.{camera.release & 0xFF:02x}"
     serial = camera.serial if known else ""
     limits = (*camera.model.limits, sentence) if sentence else camera.model.limits
-    return PluggedDevice(MAKE, camera.model.name, serial, firmware, limits, camera.bus, hindrance=code)
+    return PluggedDevice(MAKE, camera.model.name, serial, camera.firmware, limits, camera.bus, hindrance=code)

@@ -52,7 +52,7 @@ class KinectSensor:
         self._felt_m_s2: tuple[float, float, float] | None = None
         self._felt_s = -math.inf
         self._name = "kinect_" + re.sub(r"\W", "_", serial, flags=re.ASCII)
-        self._model = "Kinect v1"
+        self._model, self._firmware = "Kinect v1", ""
         self._color = NOMINAL_COLOR
         self._table: U16 | None = None
         self._registration: Registration | None = None
@@ -66,7 +66,7 @@ class KinectSensor:
         """Who this is."""
         return SensorInfo(
             self._name, "Microsoft", self._model, self._serial, self._color, RATE_HZ, Projector.SWITCHED,
-            ColorLock.LOCKABLE,
+            ColorLock.LOCKABLE, self._firmware,
         )  # fmt: skip
 
     def open(self) -> None:
@@ -86,7 +86,7 @@ class KinectSensor:
         except FruitguiError:
             self.close()
             raise
-        self._model = opened.camera.model.name
+        self._model, self._firmware = opened.camera.model.name, opened.camera.firmware
         self._take(opened.factory)
         if opened.camera.model.has_motor and self._make_motor is not None:
             self._motor = self._make_motor()

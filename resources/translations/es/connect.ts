@@ -1619,6 +1619,10 @@
         <translation>Serie</translation>
     </message>
     <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
         <source>Pictures</source>
         <translation>Imágenes</translation>
     </message>

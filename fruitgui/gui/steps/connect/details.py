@@ -28,7 +28,7 @@ _ICONS = {
     "identify": "flash", "reference": "link", "left": "left", "right": "right", "leave": "delete", "depth": "layers",
 }  # fmt: skip
 
-_FACTS = ("device", "serial", "rate", "lost", "colour", "warmth", "correction")
+_FACTS = ("device", "serial", "firmware", "rate", "lost", "colour", "warmth", "correction")
 
 
 class SensorDetails(Card):
@@ -83,10 +83,12 @@ class SensorDetails(Card):
         self._show_condition(view.condition)
         texts = {
             "device": view.device, "serial": view.serial, "rate": view.rate, "lost": view.lost,
-            "correction": view.correction,
+            "correction": view.correction, "firmware": view.firmware,
         }  # fmt: skip
         for part, text in texts.items():
             self._facts[part].setText(text)
+        for label_of in (self._heads, self._facts):
+            label_of["firmware"].setVisible(bool(view.firmware))
         colour = view.light if view.light.health == "warn" else view.colour
         for part, one in (("colour", colour), ("warmth", view.warmth)):
             self._facts[part].setText(one.word)
@@ -180,6 +182,7 @@ class SensorDetails(Card):
         heads = {
             "device": self.tr("Device"),
             "serial": self.tr("Serial"),
+            "firmware": self.tr("Firmware"),
             "rate": self.tr("Pictures"),
             "lost": self.tr("Lost"),
             "colour": self.tr("Exposure"),

@@ -33,7 +33,7 @@ class SensorView:
 
     Attributes:
         name: that a person gave. place: from 1.
-        device: make and model. serial: of the device; a dash where unknown.
+        device: make and model. serial: of the device; a dash where unknown. firmware: empty where unknown.
         reference: whether the others are placed in its frame.
         condition: how it is. rate, lost: pictures a second and lost, in words. short_rate: where there is little room.
         colour: whether exposure and white balance are locked. light: whether the belt's light is as at first.
@@ -53,6 +53,7 @@ class SensorView:
     warmth: Condition = NOT_KNOWN
     correction: str = ""
     short_rate: str = ""
+    firmware: str = ""
 
 
 def sensor_views(
@@ -83,6 +84,7 @@ def _view(
         place=place,
         device="–" if info is None else " ".join(part for part in (info.make, info.model) if part) or "–",
         serial=(info.serial if info is not None else "") or one.serial or "–",
+        firmware="" if info is None else info.firmware,
         reference=one.name == reference,
         condition=condition(health) if not waiting else condition(_beginning(one.name)),
         rate=rate_text(health),

@@ -481,6 +481,7 @@ def test_models_without_a_motor_of_their_own_run_all_the_same(usb: Emulation, tm
     usb.plug_in(Kinect("A1", MODEL_1473), Kinect("B2", MODEL_K4W), Kinect("C3"))
     sensors = sensors_of("A1", "B2")
     assert [sensor.info.model for sensor in sensors] == ["Kinect 1473", "Kinect for Windows"]
+    assert {sensor.info.firmware for sensor in sensors} == {"1.15"}
     for number, sensor in enumerate(sensors):
         push(usb, number, 0)
         frame = sensor.read(READ_S)
