@@ -31,7 +31,7 @@ class ActionButton(QPushButton):
         self._action = action
         self._theme = theme
         self.main = main
-        self._offered = True
+        self._offered = False  # one that is seen before it has its place is laid out and dressed twice
         self._drawn: tuple[str, str, str] | None = None
         self.setProperty("role", "main" if main else "plain")
         self.clicked.connect(action.trigger)

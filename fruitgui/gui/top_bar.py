@@ -14,7 +14,7 @@ from fruitgui.gui.theme.stamps import drawn_pixmap
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 
-PILL_PX, PILL_GAP = 20, 4
+PILL_PX, PILL_GAP, TOOL_PX = 20, 4, 22
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +76,7 @@ class TopBar(QWidget):
         row.addLayout(self._pill_row)
         for tool in self._tools.values():
             tool.setProperty("role", "quiet")
-            tool.setIconSize(QSize(22, 22))
+            tool.setIconSize(QSize(TOOL_PX, TOOL_PX))
             row.addWidget(tool)
         row.setSpacing(GRID)
         line = QFrame(self)
@@ -156,7 +156,7 @@ class TopBar(QWidget):
         self._icons = {}
         self._draw_pills()
         for name, tool in self._tools.items():
-            tool.setIcon(icons.icon(name, self._theme.colour("text_dim")))
+            tool.setIcon(icons.icon(name, self._theme.colour("text_dim"), size_px=TOOL_PX))
 
     def _say_words(self) -> None:
         words = {

@@ -11,14 +11,14 @@ from PySide6.QtSvg import QSvgRenderer
 from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.resources import folder
 
-SIZES_PX = (20, 24, 40, 48)
-"""Of icons on buttons, on usual screens and on those with twice as many pixels."""
+RATIOS = (1, 2)
+"""An icon is drawn for usual screens and for those with twice as many pixels."""
 
 
-def icon(name: str, colour: QColor, disabled: QColor | None = None) -> QIcon:
+def icon(name: str, colour: QColor, disabled: QColor | None = None, size_px: int = 20) -> QIcon:
     """Return an icon by the name of its file, in a colour, and in another where it cannot be pressed."""
     made = QIcon()
-    for size in SIZES_PX:
+    for size in (ratio * size_px for ratio in RATIOS):
         made.addPixmap(pixmap(name, colour, size))
         if disabled is not None:
             made.addPixmap(pixmap(name, disabled, size), QIcon.Mode.Disabled)

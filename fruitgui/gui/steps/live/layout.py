@@ -21,6 +21,7 @@ from fruitgui.gui.widgets.histogram import HistogramView
 from fruitgui.gui.widgets.sensor_picture import SensorPicture
 
 MOST_COLUMNS = 4
+LAYERS_PX = 22
 
 
 class Pictures(QWidget):
@@ -106,7 +107,7 @@ class LiveLayout(QWidget):
         whole.addLayout(right, 5)
         self._shown = QToolButton(self.pictures)
         self._shown.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self._shown.setIconSize(QSize(22, 22))
+        self._shown.setIconSize(QSize(LAYERS_PX, LAYERS_PX))
         self._menu = QMenu(self._shown)
         self._shown.setMenu(self._menu)
         self.pictures.installEventFilter(self)
@@ -141,7 +142,7 @@ class LiveLayout(QWidget):
             one.setVisible(not enlarged)
 
     def _draw(self) -> None:
-        self._shown.setIcon(icons.icon("layers", self._theme.colour("text")))
+        self._shown.setIcon(icons.icon("layers", self._theme.colour("text"), size_px=LAYERS_PX))
 
     def _say_words(self) -> None:
         text = self.tr("What is drawn over the pictures (F5 to F8)")
