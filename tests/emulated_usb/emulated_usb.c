@@ -23,7 +23,7 @@ enum { MICROSOFT = 0x045e, CAMERA_1414 = 0x02ae, MOTOR = 0x02b0, AUDIO_1414 = 0x
 enum { MODEL_1414, MODEL_1473, MODEL_K4W };
 enum { DEPTH, VIDEO, STREAMS };
 enum { HEADER = 12, WIDTH = 640, HEIGHT = 480, PIXELS = WIDTH * HEIGHT };
-enum { HANG_NOTHING, HANG_CONTROL, HANG_EVENTS };
+enum { HANG_NOTHING, HANG_CONTROL, HANG_EVENTS, HANG_EMPTY };
 static const uint8_t ENDPOINT[STREAMS] = {0x82, 0x81};
 static const uint8_t FLAG[STREAMS] = {0x70, 0x80};
 static const int PACKET[STREAMS] = {1760, 1920};
@@ -190,7 +190,7 @@ void emulated_denied(int i, int on) { LOCKED(kinects[i].denied = on); }
 void emulated_hang(int i, int what) { LOCKED(kinects[i].hang = what); }
 void emulated_stall(int i, int on) { LOCKED(kinects[i].stalled = on); }
 void emulated_no_bandwidth(int i, int on) { LOCKED(kinects[i].no_bandwidth = on); }
-void emulated_kernel_driver(int i, int on) { LOCKED(kinects[i].kernel_driver = on); }
+void emulated_kernel_driver(int i, int what) { LOCKED(kinects[i].kernel_driver = what); } /* 2: it does not let go */
 void emulated_lose_every(int i, long nth) { LOCKED(kinects[i].lose_every = nth); }
 void emulated_lose(int i, int first, int n) { LOCKED(kinects[i].lose_first = first; kinects[i].lose_count = n); }
 void emulated_garbage(int i, int stream, int kind) { LOCKED(kinects[i].garbage[stream] = kind); }
@@ -442,7 +442,12 @@ int libusb_release_interface(libusb_device_handle *h, int number) {
 }
 int libusb_set_interface_alt_setting(libusb_device_handle *h, int number, int setting) { (void)number; (void)setting; return plugged(h->dev) ? 0 : LIBUSB_ERROR_NO_DEVICE; }
 int libusb_kernel_driver_active(libusb_device_handle *h, int number) { (void)number; return is_camera(h->dev) && h->dev->kinect->kernel_driver; }
-int libusb_detach_kernel_driver(libusb_device_handle *h, int number) { (void)number; LOCKED(h->dev->kinect->kernel_driver = 0); return 0; }
+int libusb_detach_kernel_driver(libusb_device_handle *h, int number) {
+    (void)number;
+    if (h->dev->kinect->kernel_driver == 2) return LIBUSB_ERROR_OTHER;
+    LOCKED(h->dev->kinect->kernel_driver = 0);
+    return 0;
+}
 int libusb_attach_kernel_driver(libusb_device_handle *h, int number) { (void)h; (void)number; return 0; }
 int libusb_reset_device(libusb_device_handle *h) {
     int result = plugged(h->dev) ? 0 : LIBUSB_ERROR_NO_DEVICE;
@@ -452,6 +457,7 @@ int libusb_reset_device(libusb_device_handle *h) {
 
 static int camera_control(kinect *k, uint8_t type, unsigned char *data, uint16_t length) {
     if (type == 0x40) { command(k, data); return length; }
+    if (k->hang == HANG_EMPTY) return 0;
     int n = k->reply_length < length ? k->reply_length : length;
     memcpy(data, k->reply, n);
     k->reply_length = 0;
@@ -470,9 +476,9 @@ int libusb_control_transfer(libusb_device_handle *h, uint8_t type, uint8_t reque
                             unsigned char *data, uint16_t length, unsigned int timeout) {
     (void)index;
     int result;
-    if (control_us) usleep(control_us);
-    pthread_mutex_lock(&lock);
     kinect *k = h->dev->kinect;
+    if (control_us || k->hang == HANG_EMPTY) usleep(control_us ? control_us : 1000);
+    pthread_mutex_lock(&lock);
     if (timeout && k->hang == HANG_CONTROL) { pthread_mutex_unlock(&lock); usleep(timeout * 1000); return LIBUSB_ERROR_TIMEOUT; }
     hanging(k, HANG_CONTROL);
     if (!plugged(h->dev)) result = LIBUSB_ERROR_NO_DEVICE;

@@ -24,11 +24,12 @@ LED, TILT, CMOS = 0x20006, 0x20031, 0x10000
 
 
 class Hang(IntEnum):
-    """What of a device never comes back: nothing, its control requests, or its events."""
+    """What of a device never comes back: nothing, its control requests, its events, or any byte of an answer."""
 
     NOTHING = 0
     CONTROL = 1
     EVENTS = 2
+    EMPTY = 3
 
 
 class Garbage(IntEnum):
@@ -153,9 +154,9 @@ class Emulation:
         """Let no room be left on the device's controller."""
         self._usb.emulated_no_bandwidth(number, int(on))
 
-    def kernel_driver(self, number: int, on: bool) -> None:
-        """Let the kernel's own webcam driver have taken the camera."""
-        self._usb.emulated_kernel_driver(number, int(on))
+    def kernel_driver(self, number: int, on: bool, *, stays: bool = False) -> None:
+        """Let the kernel's own webcam driver have taken the camera, and let go of it when asked to, or not."""
+        self._usb.emulated_kernel_driver(number, 2 if stays else int(on))
 
     def motor_order(self, order: Sequence[int]) -> None:
         """List the motors in another order than the cameras."""

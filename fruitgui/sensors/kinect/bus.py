@@ -196,6 +196,13 @@ def _part_of(camera: _Listed, devices: list[_Listed], is_part: Callable[[int, in
     return parts[0] if len(cameras) == len(parts) == 1 else None
 
 
+def meant(serial: str, cameras: list[Camera]) -> Camera | None:
+    """Return the camera of a serial; of none, the only one that is plugged in where it has none."""
+    if not serial:
+        return cameras[0] if len(cameras) == 1 and cameras[0].unknown is Unknown.NONE else None
+    return next((camera for camera in told_apart(cameras) if camera.serial == serial), None)
+
+
 def told_apart(cameras: list[Camera]) -> list[Camera]:
     """Return those that can be opened by serial: the serial is known, and no other has it."""
     serials = [camera.serial for camera in cameras]

@@ -13,7 +13,7 @@ import numpy as np
 
 from fruitgui.frame import U8, U16
 from fruitgui.sensors.kinect import library as lib
-from fruitgui.sensors.kinect.bus import Camera, told_apart
+from fruitgui.sensors.kinect.bus import Camera, meant
 from fruitgui.sensors.kinect.cameras import HEIGHT, WIDTH
 from fruitgui.sensors.kinect.depth_table import ZeroPlane
 from fruitgui.sensors.kinect.factory import Factory
@@ -82,7 +82,7 @@ class Device:
     Args:
         freenect: the library.
         bus: not open; closed with the device.
-        serial: of the device.
+        serial: of the device; empty for the only one that is plugged in, where it has none.
         hear: is called for each picture, in the thread that calls `pump`; its pixels are its own.
         now_s: the host's clock.
     """
@@ -200,7 +200,7 @@ class Device:
         """
         for _ in range(_TRIES):
             before = self._bus.cameras()
-            mine = next((one for one in told_apart(before) if one.serial == self._serial), None)
+            mine = meant(self._serial, before)
             if mine is None:
                 raise not_there(self._serial, before)
             self._log.forget()

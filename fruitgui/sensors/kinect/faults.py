@@ -8,6 +8,7 @@ from fruitgui.errors import WorldError
 from fruitgui.sensors.kinect.bus import Camera, Unknown
 
 _ACCESS, _BUSY, _GONE = ("ACCESS", ": -3"), ("BUSY", ": -6"), ("NO_DEVICE", ": -4")
+_HELD = "Failed to detach"
 _AWAY = ("transfer failed (-4)", "returned -4")
 """What the library says of an order to a device that was unplugged meanwhile."""
 
@@ -52,6 +53,8 @@ def mute(serial: str) -> WorldError:
 def not_opened(serial: str, errors: Sequence[str]) -> WorldError:
     """The library could not open a Kinect that is there."""
     last = "; ".join(errors)
+    if _HELD in last:
+        return held_by_system(serial)
     if any(word in last for word in _BUSY):
         return WorldError(
             "sensor_busy",
@@ -63,6 +66,16 @@ def not_opened(serial: str, errors: Sequence[str]) -> WorldError:
     if any(word in last for word in _GONE):
         return not_there(serial, ())
     return not_obeyed(serial, errors)
+
+
+def held_by_system(serial: str) -> WorldError:
+    """The kernel's webcam driver does not let go of a Kinect."""
+    return WorldError(
+        "sensor_held",
+        f"The system uses the Kinect {serial} as a webcam (its driver is gspca_kinect) and does not let go of it.",
+        "In a terminal: sudo modprobe -r gspca_kinect. To keep that driver away for good, write the line "
+        "“blacklist gspca_kinect” into /etc/modprobe.d/kinect.conf.",
+    )
 
 
 def not_obeyed(serial: str, errors: Sequence[str]) -> WorldError:

@@ -103,6 +103,10 @@ WORDS: Mapping[str, tuple[str, str]] = {
         "It has the same serial as another sensor, or none: they cannot be told apart.",
         "Use one of them only, or one of another model.",
     ),
+    "no_serial_alone": (
+        "It has no serial: it can be run only as long as no other of its make is plugged in.",
+        "Plug in only this one. Where connecting does not list it, the line needs one that has a serial.",
+    ),
     "closed": (
         "It cannot be opened: the system does not let you, or another sensor has its serial.",
         "Install the rules that do: fruitgui sensors --install-udev-rules. Of two with one serial, plug in only one.",
@@ -124,8 +128,14 @@ WORDS: Mapping[str, tuple[str, str]] = {
         "Give it a USB controller of its own, and close other programs.",
     ),
     "loses": (
-        "It lost {lost} of {all} pictures.",
-        "Use a shorter cable without a hub, a USB controller of its own, and close other programs.",
+        "It lost {lost} of {all} pictures, though this computer had time to take them.",
+        "Use a shorter cable without a hub, and a USB controller of its own.",
+    ),
+    "loses_busy": (
+        "It lost {lost} of {all} pictures; this computer was too busy to take some of them: {late} ms late at worst, "
+        "and a sensor waits some {holds} ms.",
+        "Close other programs and check again. If pictures are lost then too, and this computer is said to have time, "
+        "it is the cable or the USB controller.",
     ),
 }
 """What is wrong, and what to do, by code."""

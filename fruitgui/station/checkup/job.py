@@ -17,14 +17,18 @@ from fruitgui.sensors.usb.problems import Problem, problem, problem_of
 from fruitgui.sensors.usb.tree import HIGH_SPEED_MBPS
 from fruitgui.station.checkup.asking import ANSWER_S, ask
 from fruitgui.station.checkup.joining import Joined, joined
-from fruitgui.station.checkup.measuring import Outcome, Watching, measure
-from fruitgui.station.checkup.records import CheckedController, CheckedSensor, Checkup, SensorState
+from fruitgui.station.checkup.measuring import HELD_S, Outcome, Watching, measure
+from fruitgui.station.checkup.records import CheckedController, CheckedSensor, Checkup, Measured, SensorState
 
 ALWAYS_ASKED = ("kinect",)
 """Drivers whose library is small and belongs to the system. A vendor's SDK is loaded only where the USB shows a device
 that it reads."""
 
-TOLD_STATES = {"sensor_busy": SensorState.BUSY, "sensor_not_allowed": SensorState.NO_ACCESS}
+TOLD_STATES = {
+    "sensor_busy": SensorState.BUSY,
+    "sensor_held": SensorState.BUSY,
+    "sensor_not_allowed": SensorState.NO_ACCESS,
+}
 """The states that a driver's own words tell, by their code."""
 
 
@@ -103,6 +107,8 @@ def _with_outcome(checked: CheckedSensor, outcome: Outcome | None, seconds: floa
 
 def _still_true(problems: Sequence[Problem], outcome: Outcome) -> list[Problem]:
     """Return the problems that are left after a sensor ran: one that gave pictures is in nobody's way."""
+    if outcome.error is not None and outcome.error.code == "sensor_held":
+        return [one for one in problems if one.code != "kernel_driver"]  # what promised to take it over could not
     if outcome.state is not SensorState.RUNNING:
         return list(problems)
     return [one for one in problems if one.code not in ("busy", "kernel_driver")]
@@ -122,8 +128,15 @@ def _of_outcome(checked: CheckedSensor, outcome: Outcome, seconds: float) -> lis
         found.append(problem("slow", rate=f"{measured.rate_hz:.1f}", nominal=f"{measured.nominal_hz:.1f}"))
     everything = measured.frames + measured.lost
     if measured.lost > LOST_SHARE * everything:
-        found.append(problem("loses", lost=str(measured.lost), all=str(everything)))
+        found.append(_loss(measured, everything))
     return found
+
+
+def _loss(measured: Measured, everything: int) -> Problem:
+    values = {"lost": str(measured.lost), "all": str(everything)}
+    if not measured.late_s:
+        return problem("loses", **values)
+    return problem("loses_busy", **values, late=f"{measured.late_s * 1e3:.0f}", holds=f"{HELD_S * 1e3:.0f}")
 
 
 def _nothing(view: UsbView, found: Sequence[Joined], answered: Sequence[Problem]) -> list[Problem]:
@@ -133,7 +146,9 @@ def _nothing(view: UsbView, found: Sequence[Joined], answered: Sequence[Problem]
 
 
 def _runs_well(sensor: CheckedSensor) -> bool:
-    return sensor.state is SensorState.RUNNING and not any(one.code in ("slow", "loses") for one in sensor.problems)
+    return sensor.state is SensorState.RUNNING and not any(
+        one.code in ("slow", "loses", "loses_busy") for one in sensor.problems
+    )
 
 
 def _full_buses(view: UsbView, loads: Sequence[BusLoad], run_well: Collection[str]) -> list[Problem]:

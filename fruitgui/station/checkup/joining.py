@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from fruitgui.sensors.drivers import PluggedDevice
@@ -51,13 +51,13 @@ def joined(view: UsbView, answers: Sequence[Answer], known_as: Mapping[str, str]
     left = list(view.sensors)
     names = _Names(known_as)
     listed = [(device, sensor) for answer in answers for device, sensor in answer.found]
-    twins = _twins(device for device, _ in listed)
+    devices = [device for device, _ in listed]
     together = []
     for device, sensor in listed:
         seen = _seen(device, left)
         if seen is not None:
             left.remove(seen)
-        together.append(Joined(_listed(device, seen, view, names.of(device.make, device.serial), twins), sensor))
+        together.append(Joined(_listed(device, seen, view, names.of(device.make, device.serial), devices), sensor))
     by_make = {answer.make: answer for answer in answers}
     for seen in left:
         make = seen.known.make
@@ -83,10 +83,15 @@ class _Names:
                 return name
 
 
-def _twins(devices: Iterable[PluggedDevice]) -> set[tuple[str, str]]:
-    """Return make and serial of devices that cannot be told apart."""
-    times = Counter((device.make, device.serial) for device in devices)
-    return {one for one, number in times.items() if number > 1 or not one[1].strip("0 ")}
+def _told_apart(device: PluggedDevice, devices: Sequence[PluggedDevice]) -> Problem | None:
+    """Return what is wrong with a device's serial. One without any can be opened by being the only one of its make."""
+    alike = [one.serial == device.serial for one in devices if one.make == device.make]
+    if sum(alike) == 1 and device.serial.strip("0 "):
+        return None
+    has_none = bool(device.serial) or device.hindrance == "no_serial"
+    if len(alike) == 1 and has_none:
+        return problem("no_serial_alone")
+    return problem(device.hindrance or ("no_serial" if device.serial else "closed"))
 
 
 def _seen(device: PluggedDevice, seen: Sequence[SeenSensor]) -> SeenSensor | None:
@@ -99,11 +104,12 @@ def _seen(device: PluggedDevice, seen: Sequence[SeenSensor]) -> SeenSensor | Non
 
 
 def _listed(
-    device: PluggedDevice, seen: SeenSensor | None, view: UsbView, name: str, twins: set[tuple[str, str]]
+    device: PluggedDevice, seen: SeenSensor | None, view: UsbView, name: str, devices: Sequence[PluggedDevice]
 ) -> CheckedSensor:
     problems = () if seen is None else seen.problems
-    if (device.make, device.serial) in twins and not any(one.code in BLOCKING for one in problems):
-        problems = (*problems, problem(device.hindrance or ("no_serial" if device.serial else "closed")))
+    alike = _told_apart(device, devices)
+    if alike is not None and not any(one.code in BLOCKING for one in problems):
+        problems = (*problems, alike)
     place = _place(seen, view) if seen is not None else _told_place(device, view)
     return CheckedSensor(
         name, device.make, device.model, device.serial, _state(problems), problems, device.limits, device.firmware,

@@ -9,7 +9,7 @@ from typing import Protocol
 
 from fruitgui.errors import FruitguiError
 from fruitgui.progress import Cancelled, Progress, stop_if
-from fruitgui.sensors.feed import Feed, Running, SensorHealth
+from fruitgui.sensors.feed import LOST_SHARE, Feed, Running, SensorHealth
 from fruitgui.sensors.sensor import Sensor
 from fruitgui.sensors.turns import Schedule
 from fruitgui.station.checkup.records import Measured, SensorState
@@ -21,6 +21,10 @@ FIRST_FRAMES = 8
 """Pictures that are not counted: with the first one tables are made, and some are lost meanwhile."""
 
 LOOK_S = 0.05
+
+HELD_S = 0.032
+"""So long the USB keeps pictures for who does not come to take them: libfreenect has 16 transfers of 16 packets of
+1/8 ms on their way. Whoever looks later than that would have lost some."""
 
 ALL_SHINE = Schedule()
 """Nobody takes turns: what counts is what the USB carries, not what the projectors spoil for each other."""
@@ -107,11 +111,21 @@ def watch(feed: Feed, seconds: float, progress: Progress, cancelled: Cancelled) 
     """
     began_s = time.monotonic()
     before = {name: feed.health(name) for name in feed.sensors}
+    late_s: list[float] = []
     while (passed_s := time.monotonic() - began_s) < seconds:
         stop_if(cancelled)
         progress(0.3 + 0.7 * passed_s / seconds, "Watching the sensors run")
+        slept_s = time.monotonic()
         time.sleep(LOOK_S)
-    return {name: _outcome(before[name], feed.health(name), time.monotonic() - began_s) for name in feed.sensors}
+        late_s.append(time.monotonic() - slept_s - LOOK_S)
+    passed_s, worst_s = time.monotonic() - began_s, _worst(late_s)
+    return {name: _outcome(before[name], feed.health(name), passed_s, worst_s) for name in feed.sensors}
+
+
+def _worst(late_s: Sequence[float]) -> float:
+    """Return how late a wait ended at worst, where that would have lost as many pictures as are a problem; else 0."""
+    too_late = [one for one in late_s if one > HELD_S]
+    return max(too_late) if len(too_late) > LOST_SHARE * len(late_s) else 0.0
 
 
 def _wait_for_first(feed: Feed, progress: Progress, cancelled: Cancelled) -> None:
@@ -128,10 +142,10 @@ def _wait_for_first(feed: Feed, progress: Progress, cancelled: Cancelled) -> Non
         time.sleep(LOOK_S)
 
 
-def _outcome(before: SensorHealth, after: SensorHealth, seconds: float) -> Outcome:
+def _outcome(before: SensorHealth, after: SensorHealth, seconds: float, late_s: float) -> Outcome:
     frames = after.frames - before.frames
     lost = after.drops - before.drops + after.damaged - before.damaged
-    measured = Measured(frames / seconds, after.nominal_hz, frames, lost) if frames or lost else None
+    measured = Measured(frames / seconds, after.nominal_hz, frames, lost, late_s) if frames or lost else None
     if after.hangs:
         return Outcome(SensorState.HANGS, measured)
     if after.state is Running.FAILED or (after.error is not None and not after.frames):

@@ -46,12 +46,15 @@ class Measured:
         rate_hz: pictures a second, each with colour and depth.
         nominal_hz: that it should give; 0 where unknown.
         frames, lost: pictures that came, and that did not or came damaged.
+        late_s: how late this computer was at worst to do what was due, where it was late for too large a share of the
+            time; 0 where it was not.
     """
 
     rate_hz: float
     nominal_hz: float
     frames: int
     lost: int
+    late_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -151,6 +151,14 @@
         <translation>Use solo uno de ellos, o uno de otro modelo.</translation>
     </message>
     <message>
+        <source>It has no serial: it can be run only as long as no other of its make is plugged in.</source>
+        <translation>No tiene serie: solo puede funcionar mientras no haya conectado otro de su fabricante.</translation>
+    </message>
+    <message>
+        <source>Plug in only this one. Where connecting does not list it, the line needs one that has a serial.</source>
+        <translation>Conecte solo este. Si al conectar no aparece en la lista, la línea necesita uno que tenga serie.</translation>
+    </message>
+    <message>
         <source>It cannot be opened: the system does not let you, or another sensor has its serial.</source>
         <translation>No se puede abrir: el sistema no se lo permite, u otro sensor tiene su serie.</translation>
     </message>
@@ -191,12 +199,20 @@
         <translation>Déle un controlador USB propio y cierre otros programas.</translation>
     </message>
     <message>
-        <source>It lost {lost} of {all} pictures.</source>
-        <translation>Perdió {lost} de {all} imágenes.</translation>
+        <source>It lost {lost} of {all} pictures, though this computer had time to take them.</source>
+        <translation>Perdió {lost} de {all} imágenes, aunque este computador tenía tiempo para recibirlas.</translation>
     </message>
     <message>
-        <source>Use a shorter cable without a hub, a USB controller of its own, and close other programs.</source>
-        <translation>Use un cable más corto, sin concentrador, un controlador USB propio, y cierre otros programas.</translation>
+        <source>Use a shorter cable without a hub, and a USB controller of its own.</source>
+        <translation>Use un cable más corto, sin concentrador, y un controlador USB propio.</translation>
+    </message>
+    <message>
+        <source>It lost {lost} of {all} pictures; this computer was too busy to take some of them: {late} ms late at worst, and a sensor waits some {holds} ms.</source>
+        <translation>Perdió {lost} de {all} imágenes; este computador estaba demasiado ocupado para recibir algunas: se retrasó hasta {late} ms, y un sensor espera unos {holds} ms.</translation>
+    </message>
+    <message>
+        <source>Close other programs and check again. If pictures are lost then too, and this computer is said to have time, it is the cable or the USB controller.</source>
+        <translation>Cierre otros programas y revise de nuevo. Si también entonces se pierden imágenes, y se dice que este computador tenía tiempo, es el cable o el controlador USB.</translation>
     </message>
     <message>
         <source>ready</source>
@@ -1178,6 +1194,14 @@
     <message>
         <source>Close that program; “Check sensors…” tells which it is.</source>
         <translation>Cierre ese programa; «Revisar sensores…» dice cuál es.</translation>
+    </message>
+    <message>
+        <source>The system uses it as a webcam (its driver is gspca_kinect) and does not let go of it.</source>
+        <translation>El sistema lo usa como cámara web (su controlador es gspca_kinect) y no lo suelta.</translation>
+    </message>
+    <message>
+        <source>In a terminal: sudo modprobe -r gspca_kinect. To keep that driver away for good, write the line “blacklist gspca_kinect” into /etc/modprobe.d/kinect.conf.</source>
+        <translation>En una terminal: sudo modprobe -r gspca_kinect. Para que ese controlador no vuelva, escriba la línea “blacklist gspca_kinect” en /etc/modprobe.d/kinect.conf.</translation>
     </message>
     <message>
         <source>Another Kinect has the same serial: they cannot be told apart.</source>

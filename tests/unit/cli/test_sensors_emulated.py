@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import io
 import json
 import sys
@@ -129,8 +130,47 @@ def test_one_that_loses_packets_is_said(usb: Emulation, tmp_path: Path) -> None:
     usb.plug_in(Kinect("A1"), Kinect("B2"))
     usb.lose_every(1, 400)
     value = found(usb, lambda one: "loses" in codes(one)[1][1])
-    assert "loses" in codes(value)[1][1]
+    assert {"loses", "loses_busy"} & set(codes(value)[1][1])  # the latter where this computer has no time for tests
     assert value["sensors"][1]["lost_frames"] > 0
+
+
+@inside
+def test_a_computer_without_time_is_named_beside_the_cable(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"))
+    usb.lose_every(0, 400)
+    over = threading.Event()
+    holding = threading.Thread(target=_hold_everybody_up, args=(over,))
+    holding.start()
+    try:
+        value = found(usb, lambda one: "loses_busy" in codes(one)[0][1])
+    finally:
+        over.set()
+        holding.join(60.0)
+    (one,) = value["sensors"][0]["problems"][-1:]
+    assert one["code"] == "loses_busy"
+    assert "cable" in one["remedy"]
+    assert "other programs" in one["remedy"]
+
+
+@inside
+def test_one_without_a_serial_is_run_by_being_the_only_one(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    for none in (Kinect(""), Kinect("", model=MODEL_1473)):
+        usb.plug_in(none)
+        value = found(usb, lambda one: states(one) == ["running"])
+        assert states(value) == ["running"]
+        assert "no_serial_alone" in codes(value)[0][1]
+        assert value["sensors"][0]["rate_hz"]["depth"] > 0.0
+    usb.plug_in(Kinect(""), Kinect("B2"))
+    assert codes(sensors("--seconds", "0.5"))[0] == ("failed", ["no_serial"])
+
+
+@inside
+def test_a_webcam_driver_that_does_not_let_go_is_named_with_its_remedy(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"))
+    usb.kernel_driver(0, on=True, stays=True)
+    value = found(usb, lambda one: states(one) == ["busy"])
+    assert codes(value) == [("busy", ["sensor_held"])]
+    assert "modprobe -r gspca_kinect" in value["sensors"][0]["problems"][0]["remedy"]
 
 
 @inside
@@ -163,6 +203,13 @@ def test_a_kinect_that_hangs_does_not_hang_the_command(usb: Emulation, tmp_path:
         usb.hang(0, Hang.NOTHING)
     assert codes(value)[0] == ("hangs", ["hangs"])
     assert value["sensors"][1]["state"] == "running"
+
+
+def _hold_everybody_up(over: threading.Event) -> None:
+    """Let nothing of this process run for most of the time."""
+    holding = ctypes.PyDLL(None).usleep  # keeps Python's lock
+    while not over.wait(0.02):
+        holding(80_000)
 
 
 def _when(true: Callable[[], bool], then: Callable[[], None]) -> None:

@@ -251,7 +251,7 @@ def test_rate_and_loss_are_measured_with_all_running_at_once(tmp_path: Path) -> 
     assert 0.0 < first.measured.rate_hz <= 55.0
     assert first.measured.lost == 0
     assert abs(second.measured.lost - second.measured.frames) <= 2
-    assert "loses" in codes(second)
+    assert {"loses", "loses_busy"} & set(codes(second))  # the latter where this computer has no time for tests
     assert [one.opened for one in driver.sensors.values()] == [1, 1]
     assert all(one.closed for one in driver.sensors.values())
 

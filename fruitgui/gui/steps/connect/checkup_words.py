@@ -144,6 +144,13 @@ def _before_it_runs() -> Mapping[str, tuple[str, str]]:
             translate("Checkup", "It has the same serial as another sensor, or none: they cannot be told apart."),
             translate("Checkup", "Use one of them only, or one of another model."),
         ),
+        "no_serial_alone": (
+            translate("Checkup", "It has no serial: it can be run only as long as no other of its make is plugged in."),
+            translate(
+                "Checkup",
+                "Plug in only this one. Where connecting does not list it, the line needs one that has a serial.",
+            ),
+        ),
         "closed": (
             translate("Checkup", "It cannot be opened: the system does not let you, or another sensor has its serial."),
             translate("Checkup", "Press “Let me use them…”. Of two with one serial, plug in only one."),
@@ -170,9 +177,19 @@ def _while_it_runs() -> Mapping[str, tuple[str, str]]:
             translate("Checkup", "Give it a USB controller of its own, and close other programs."),
         ),
         "loses": (
-            translate("Checkup", "It lost {lost} of {all} pictures."),
+            translate("Checkup", "It lost {lost} of {all} pictures, though this computer had time to take them."),
+            translate("Checkup", "Use a shorter cable without a hub, and a USB controller of its own."),
+        ),
+        "loses_busy": (
             translate(
-                "Checkup", "Use a shorter cable without a hub, a USB controller of its own, and close other programs."
+                "Checkup",
+                "It lost {lost} of {all} pictures; this computer was too busy to take some of them: {late} ms late at "
+                "worst, and a sensor waits some {holds} ms.",
+            ),
+            translate(
+                "Checkup",
+                "Close other programs and check again. If pictures are lost then too, and this computer is said to "
+                "have time, it is the cable or the USB controller.",
             ),
         ),
     }

@@ -42,6 +42,16 @@ def fault_words() -> Mapping[str, tuple[str, str]]:
             translate("Driver", "Another program uses it."),
             translate("Driver", "Close that program; “Check sensors…” tells which it is."),
         ),
+        "sensor_held": (
+            translate(
+                "Driver", "The system uses it as a webcam (its driver is gspca_kinect) and does not let go of it."
+            ),
+            translate(
+                "Driver",
+                "In a terminal: sudo modprobe -r gspca_kinect. To keep that driver away for good, write the line "
+                "“blacklist gspca_kinect” into /etc/modprobe.d/kinect.conf.",
+            ),
+        ),
         "sensor_twice": (
             translate("Driver", "Another Kinect has the same serial: they cannot be told apart."),
             translate("Driver", "Leave only one of them plugged in."),

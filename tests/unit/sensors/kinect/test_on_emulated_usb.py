@@ -12,6 +12,7 @@ import pytest
 
 from fruitgui.errors import WorldError
 from fruitgui.frame import U16, Frame
+from fruitgui.sensors.kinect import session
 from fruitgui.sensors.kinect.bus import Bus
 from fruitgui.sensors.kinect.clock import FRAME_TICKS
 from fruitgui.sensors.kinect.depth_table import depth_table
@@ -348,6 +349,8 @@ def test_what_hinders_opening_is_said_with_a_remedy(usb: Emulation, tmp_path: Pa
     usb.stall(0, on=False)
     assert _code(driver.sensor("B2")) == "sensor_twice"
     assert _code(driver.sensor("Z9")) == "sensor_gone"
+    usb.kernel_driver(0, on=True, stays=True)
+    assert _code(driver.sensor("A1")) == "sensor_held"
     usb.kernel_driver(0, on=True)
     sensor = driver.sensor("A1")
     sensor.open()
@@ -400,6 +403,17 @@ def test_one_that_hangs_holds_up_nobody(usb: Emulation, tmp_path: Path) -> None:
         push(usb, 0, 0)
         assert not sensors[0].read(READ_S).damaged
     let_go(sensors)
+
+
+@inside
+def test_one_that_answers_without_a_byte_for_ever_is_named(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"))
+    usb.hang(0, Hang.EMPTY)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(session, "OPEN_S", 0.5)  # the library would ask for ever
+        assert _code(KinectDriver().sensor("A1")) == "sensor_hangs"
+    let_go(sensors_of("B2"))
+    usb.hang(0, Hang.NOTHING)
 
 
 def _reopened(sensor: KinectSensor) -> None:
