@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QCoreApplication, QDateTime, QLocale
 
 from fruitgui.errors import FruitguiError
+from fruitgui.progress import Cancelled, stop_if
 from fruitgui.records.lot import Lot
 from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
@@ -60,7 +61,9 @@ class Begun:
     totals: tuple[KindTotal, ...]
 
 
-def begun(feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], source: str) -> Begun:
+def begun(
+    feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], source: str, cancelled: Cancelled
+) -> Begun:
     """Start line and lot, both or neither.
 
     Args:
@@ -69,8 +72,10 @@ def begun(feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], so
         store: keeps fruit.
         begin: begins the lot, or goes on with one.
         source: where unknown fruit of this run are said to come from.
+        cancelled: asked once more before the lot begins; after that both are there.
 
     Raises:
+        CancelledByUserError: `cancelled` said so.
         FruitguiError: the sensors, the model or the store cannot be used.
     """
     if plan.again is not None:
@@ -84,6 +89,7 @@ def begun(feed: Feed, plan: LinePlan, store: Store, begin: Callable[[], Lot], so
     line = LineApart(feed, plan.station, model, Counting(BufferedSink(sink), teacher), None, plan.intake)
     line.start()
     try:
+        stop_if(cancelled)
         lot = begin()
         totals = store.lots.totals(lot.key)
     except FruitguiError:

@@ -77,7 +77,8 @@ class Running(QObject):
         self._spells.failed.connect(messages.error)
         self._noted: dict[SpellSort, tuple[int, Blind | None]] = {}
         self._troubles = Troubles(self._spells, store.spells)
-        self._busy = self._stopping = False
+        self._busy = self._stopping = self._closed = False
+        self._made: Begun | None = None
         self.lot: Lot | None = None
         self.kinds: tuple[str, ...] = ()
         self.tally = Tally()
@@ -180,7 +181,8 @@ class Running(QObject):
 
     def close(self) -> bool:
         """Stop the line; the lot stays open and can be taken up again. Tell whether all was counted in time."""
-        line, self._line = self._line, None
+        self._closed = True
+        line, self._line = self._line or (None if self._made is None else self._made.line), None
         self._tick.stop()
         self._note_spells(None)
         self._note_troubles(())
@@ -194,13 +196,18 @@ class Running(QObject):
         if plan.again is not None:
             self._connected.release()
 
-        def job(progress: Progress, cancelled: Cancelled) -> Begun:  # noqa: ARG001 - it takes a second or two
+        def job(progress: Progress, cancelled: Cancelled) -> Begun:
             progress(0.0, STARTS)
-            return begun(now, plan, self._store, lot, source_name())
+            made = begun(now, plan, self._store, lot, source_name(), cancelled)
+            self._made = made
+            if self._closed:  # nobody will be told of it
+                made.line.stop(0.0)
+            return made
 
         self._run(lambda: translate("Running", "Starting the lot"), job, self._begun)
 
     def _begun(self, made: Begun) -> None:
+        self._made = None
         self._connected.adopt(made.feed)
         self._line, self.lot, self.kinds = made.line, made.lot, made.kinds
         self._sink, self._aside = made.sink, made.aside
@@ -240,6 +247,7 @@ class Running(QObject):
             over.connect(self._rest)
         task.succeeded.connect(done)
         task.failed.connect(self._failed)
+        task.cancelled.connect(self.changed)
 
     def _rest(self) -> None:
         self._busy = False

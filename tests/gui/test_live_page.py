@@ -239,6 +239,22 @@ def test_however_often_it_is_pressed_one_line_counts(qtbot: QtBot, session: Sess
     assert session.running.tally.count_all == FRUIT
 
 
+def test_closing_before_a_line_that_is_there_was_told_of_leaves_none(
+    qtbot: QtBot, session: Session, ready: LivePage
+) -> None:
+    assert ready.main_action is ready.start
+    session.start_lot(LotPlan("1184"))
+
+    def starting() -> list[threading.Thread]:
+        return [one for one in threading.enumerate() if one.name.startswith("task Starting")]
+
+    qtbot.waitUntil(lambda: bool(starting()), timeout=LONG_MS)
+    for one in starting():
+        one.join(LONG_MS / 1000)  # while the window's thread is told nothing
+    assert session.close()
+    assert not [one.name for one in threading.enumerate() if one.name.startswith("line ")]
+
+
 FULL = WorldError("disk_full", "The disk is full.", "Make room.")
 
 
