@@ -9,23 +9,23 @@ from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
-from fruitgui.errors import FruitguiError, WorldError
+from fruitgui.errors import FruitguiError, InputError, WorldError
 from fruitgui.gui.beginning import Begun, LinePlan, begun, source_name
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.numbers import count_text
 from fruitgui.gui.queries import Queries
+from fruitgui.gui.spell_notes import SpellNotes
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.tasks import Job, TaskRunner
 from fruitgui.gui.told import Told, Words
 from fruitgui.gui.troubles import Troubles
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.lot import Lot, LotPlan
+from fruitgui.records.restore import refuse_while_prepared
 from fruitgui.records.set_aside import SetAside
-from fruitgui.records.spells import SpellSort
 from fruitgui.records.store import Store
 from fruitgui.station.live import LineApart, LiveState, LiveWarning, Preview
-from fruitgui.station.live.blind import Blind
 from fruitgui.station.noted import NotedSink
 
 T = TypeVar("T")
@@ -75,7 +75,7 @@ class Running(QObject):
         self._state: LiveState | None = None
         self._spells = Queries(self)
         self._spells.failed.connect(messages.error)
-        self._noted: dict[SpellSort, tuple[int, Blind | None]] = {}
+        self._seen = SpellNotes(self._spells, store.spells)
         self._troubles = Troubles(self._spells, store.spells)
         self._busy = self._stopping = self._closed = False
         self._made: Begun | None = None
@@ -193,6 +193,11 @@ class Running(QObject):
         now = self._connected.feed
         if now is None or self._line is not None or self._busy:
             return
+        try:
+            refuse_while_prepared(self._store.folder)
+        except InputError as error:
+            self._messages.error(error)
+            return
         if plan.again is not None:
             self._connected.release()
 
@@ -211,7 +216,7 @@ class Running(QObject):
         self._connected.adopt(made.feed)
         self._line, self.lot, self.kinds = made.line, made.lot, made.kinds
         self._sink, self._aside = made.sink, made.aside
-        self._noted = {}
+        self._seen = SpellNotes(self._spells, self._store.spells)
         self._troubles = Troubles(self._spells, self._store.spells)
         self.tally = Tally.of(made.totals)
         self._tick.start()
@@ -281,17 +286,8 @@ class Running(QObject):
             self.changed.emit()
 
     def _note_spells(self, state: LiveState | None) -> None:
-        """Let the lot remember what of the belt nobody sees, or not often enough, when that changes."""
-        self._note_spell("away", None if state is None else state.blind)
-        self._note_spell("sparse", None if state is None else state.sparse)
-
-    def _note_spell(self, sort: SpellSort, blind: Blind | None) -> None:
-        lot, before = self.lot, self._noted.get(sort)
-        if lot is None or before == (lot.key, blind):
-            return
-        self._noted[sort] = (lot.key, blind)
-        if blind is not None or (before is not None and before[0] == lot.key):
-            self._spells.change(lambda: self._store.spells.note(lot.key, blind, sort), lambda _: None)
+        if self.lot is not None:
+            self._seen.note(self.lot.key, state)
 
     def _note_troubles(self, warnings: Sequence[LiveWarning]) -> None:
         """Let the lot remember when the rig was moved and clocks leapt, but not what happens in a pause."""

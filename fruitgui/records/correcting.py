@@ -124,6 +124,9 @@ def checked_kind(kind: str) -> str:
     kind = kind.strip()
     if not kind or len(kind) > LONGEST_KIND or not kind.isprintable():
         raise InputError(
-            "bad_kind", f"{kind[:80]!r} cannot be a kind.", f"Name a kind with 1 to {LONGEST_KIND} printable letters."
+            "bad_kind",
+            f"{kind[:80]!r} cannot be a kind.",
+            f"Name a kind with 1 to {LONGEST_KIND} printable letters.",
+            values={"most": str(LONGEST_KIND)},
         )
     return kind

@@ -156,6 +156,21 @@ def is_prepared(folder: Path) -> bool:
     return (folder / READY).exists()
 
 
+def refuse_while_prepared(folder: Path) -> None:
+    """Do nothing where no backup waits to be put in place: what is counted until then would be kept aside.
+
+    Raises:
+        InputError: `restore_waits`.
+    """
+    if is_prepared(folder):
+        raise InputError(
+            "restore_waits",
+            "A backup is put in place at the next start; what is counted until then would be kept aside.",
+            "Start again first, or leave everything as it is after all.",
+            file=folder,
+        )
+
+
 def forget_restore(folder: Path) -> None:
     """Leave everything as it is after all: what was laid ready is removed.
 

@@ -17,6 +17,7 @@ from fruitgui.gui.steps.live.page import LivePage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
+from fruitgui.records.restore import READY
 from fruitgui.station.live import Phase
 from fruitgui.station.workflow import State, Step
 from tests.gui.line_recording import FRUIT, LineRecording, line_recording
@@ -253,6 +254,17 @@ def test_closing_before_a_line_that_is_there_was_told_of_leaves_none(
         one.join(LONG_MS / 1000)  # while the window's thread is told nothing
     assert session.close()
     assert not [one.name for one in threading.enumerate() if one.name.startswith("line ")]
+
+
+def test_no_lot_begins_while_a_backup_waits_to_be_put_in_place(session: Session, ready: LivePage) -> None:
+    waiting = session.workspace.folder / READY
+    waiting.mkdir()
+    session.start_lot(LotPlan("1184"))
+    assert not session.tasks.running
+    assert "backup is put in place at the next start" in session.messages.history[-1].what
+    assert session.connected.feed is not None, "the sensors run on"
+    waiting.rmdir()
+    assert ready.main_action is ready.start
 
 
 FULL = WorldError("disk_full", "The disk is full.", "Make room.")

@@ -356,6 +356,18 @@ def test_a_restore_can_be_called_off(qtbot: QtBot, page: LotsPage, run_session: 
     assert not is_prepared(run_session.workspace.folder)
 
 
+def test_a_lot_that_began_while_a_backup_was_checked_is_not_set_aside(
+    qtbot: QtBot, page: LotsPage, run_session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page.store_menu.back_up_now.trigger()
+    qtbot.waitUntil(lambda: not run_session.tasks.running, timeout=20_000)
+    monkeypatch.setattr(page.store_menu, "_counting", lambda: True)
+    page.store_menu.lay_ready(find_backups(run_session.workspace.folder)[0])
+    qtbot.waitUntil(lambda: not run_session.tasks.running, timeout=20_000)
+    assert "A lot is running" in run_session.messages.history[-1].what
+    assert not is_prepared(run_session.workspace.folder)
+
+
 def test_a_lot_that_runs_is_followed(qtbot: QtBot, page: LotsPage, run_session: Session) -> None:
     lot = run_session.store.lots.start(LotPlan("1190"))
     page.show_line(lot.key)

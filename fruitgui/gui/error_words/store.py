@@ -14,7 +14,7 @@ def words() -> Mapping[str, tuple[str, str]]:
     return {
         "bad_kind": (
             translate("Errors", "This cannot be the name of a kind."),
-            translate("Errors", "Use 1 to 80 printable letters."),
+            translate("Errors", "Use 1 to {most} printable letters."),
         ),
         "bad_measure": (
             translate("Errors", "{value} is no measure."),
@@ -47,6 +47,12 @@ def words() -> Mapping[str, tuple[str, str]]:
         "numbers_damaged": (
             translate("Errors", "Some numbers of a fruit in the records are damaged."),
             translate("Errors", "The other fruit can be used; restore the last good backup to have this one too."),
+        ),
+        "restore_waits": (
+            translate(
+                "Errors", "A backup is put in place at the next start; what is counted until then would go aside."
+            ),
+            translate("Errors", "Close the window and start again, or choose “Do not restore after all” at step 7."),
         ),
         "store_damaged": (
             translate("Errors", "{file} is damaged."),

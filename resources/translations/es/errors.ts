@@ -524,8 +524,8 @@
         <translation>Ese no puede ser el nombre de un tipo.</translation>
     </message>
     <message>
-        <source>Use 1 to 80 printable letters.</source>
-        <translation>Use de 1 a 80 letras imprimibles.</translation>
+        <source>Use 1 to {most} printable letters.</source>
+        <translation>Use de 1 a {most} letras imprimibles.</translation>
     </message>
     <message>
         <source>{value} is no measure.</source>
@@ -586,6 +586,14 @@
     <message>
         <source>The other fruit can be used; restore the last good backup to have this one too.</source>
         <translation>Las demás frutas se pueden usar; restaure el último respaldo bueno para tener también esta.</translation>
+    </message>
+    <message>
+        <source>A backup is put in place at the next start; what is counted until then would go aside.</source>
+        <translation>En el próximo inicio se pone un respaldo en su lugar; lo que se cuente hasta entonces quedaría aparte.</translation>
+    </message>
+    <message>
+        <source>Close the window and start again, or choose “Do not restore after all” at step 7.</source>
+        <translation>Cierre la ventana y vuelva a iniciar, o elija «No restaurar» en el paso 7.</translation>
     </message>
     <message>
         <source>{file} is damaged.</source>

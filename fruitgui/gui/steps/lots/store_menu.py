@@ -80,7 +80,11 @@ class StoreMenu(QObject):
         """Check a backup and lay it ready for the next start."""
 
         def job(progress: Progress, cancelled: Cancelled) -> Backup:
-            return prepare_restore(self._folder, path, time.time(), progress, cancelled)
+            backup = prepare_restore(self._folder, path, time.time(), progress, cancelled)
+            if self._counting():  # begun while this was checked: its fruit would be kept aside
+                forget_restore(self._folder)
+                raise self._lot_runs()
+            return backup
 
         task = self._tasks.run(lambda: self.tr("Checking the backup"), job)
         task.succeeded.connect(self._laid_ready)
@@ -117,8 +121,7 @@ class StoreMenu(QObject):
 
     def _ask_which(self) -> None:
         if self._counting():
-            error = InputError("lot_runs", self.tr("A lot is running."), self.tr("End it before you restore a backup."))
-            self._messages.error(error)
+            self._messages.error(self._lot_runs())
             return
         there = find_backups(self._folder)
         start = str(there[0]) if there else str(self._folder)
@@ -128,6 +131,9 @@ class StoreMenu(QObject):
             dialog.selectFile(start)
         dialog.fileSelected.connect(self._which)
         self._open(dialog)
+
+    def _lot_runs(self) -> InputError:
+        return InputError("lot_runs", self.tr("A lot is running."), self.tr("End it before you restore a backup."))
 
     def _which(self, name: str) -> None:
         question = QMessageBox(self._window)
