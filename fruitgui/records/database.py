@@ -14,7 +14,7 @@ from sqlalchemy import Connection, Engine, create_engine, event
 from sqlalchemy.orm import Session
 from sqlalchemy.pool import QueuePool
 
-from fruitgui.records.told import told
+from fruitgui.records.told import gone, told
 
 BUSY_S = 2.0
 """How long another program may hold the file; a line that waits longer falls behind."""
@@ -42,6 +42,7 @@ class Database:
     def __init__(self, path: Path) -> None:
         self.path = path
         self._writer = threading.RLock()
+        self._file: tuple[int, int] | None = None
         self._engine = _engine(path)
         self._write_engine = self._engine.execution_options(begin="BEGIN IMMEDIATE")
 
@@ -50,6 +51,7 @@ class Database:
         """Give a session; all that was done in it is committed, durably, when the block ends well, or none of it."""
         session = Session(self._write_engine, expire_on_commit=False)
         with told(self.path), self._writer, session, session.begin():
+            self._refuse_if_gone()
             yield session
 
     @contextlib.contextmanager
@@ -69,6 +71,17 @@ class Database:
         with told(self.path), self._writer, contextlib.closing(self._engine.raw_connection()) as connection:
             bare: Any = connection.driver_connection
             bare.executescript("PRAGMA incremental_vacuum")  # goes on until all are given back, as `execute` does not
+
+    def _refuse_if_gone(self) -> None:
+        """Raise where the file was removed, or another lies in its place: what goes into it would be nowhere."""
+        try:
+            status = self.path.stat()
+        except OSError as error:
+            raise gone(self.path) from error
+        now = status.st_dev, status.st_ino
+        if now != (self._file or now):
+            raise gone(self.path)
+        self._file = now
 
     def close(self) -> None:
         """Let go of the file; what is under way in other threads ends first or fails."""

@@ -82,6 +82,12 @@ def damaged(path: Path, what: str) -> WorldError:
     return WorldError(DAMAGED, said.format(name=path, detail=what), remedy, file=path)
 
 
+def gone(path: Path) -> WorldError:
+    """Return that a file is not where it was opened."""
+    said, remedy = _SAID[READ_ONLY]
+    return WorldError(READ_ONLY, said.format(name=path), remedy, file=path)
+
+
 def failure(path: Path, error: sqlite3.Error) -> WorldError:
     """Return what a database's error means to a person."""
     code = _CODES.get(getattr(error, "sqlite_errorcode", sqlite3.SQLITE_ERROR) & 0xFF, FAILED)

@@ -164,6 +164,28 @@ def test_records_that_were_emptied_are_told_and_not_begun_anew_unasked(tmp_path:
     open_store(tmp_path).close()
 
 
+def test_what_is_removed_while_it_is_open_takes_no_fruit_until_it_is_back(tmp_path: Path) -> None:
+    line, trash = tmp_path / "line", tmp_path / "trash"
+    line.mkdir()
+    with open_store(line) as store:
+        lot = store.lots.start(LotPlan("1184"))
+        store.commit(lot.key, made_fruit(1), ())
+        sink = BufferedSink(store)
+        line.rename(trash)
+        assert sink.take(lot.key, made_fruit(2), ()) == ()
+        assert sink.state.problem is not None
+        assert sink.state.problem.code == "store_read_only"
+        line.mkdir()
+        (line / "records.sqlite").write_bytes((trash / "records.sqlite").read_bytes())
+        assert sink.retry() == (), "another file lies in its place"
+        (line / "records.sqlite").unlink()
+        line.rmdir()
+        trash.rename(line)
+        assert [one.number for one in sink.retry()] == [2]
+    with open_store(line) as again:
+        assert sum(one.fruit for one in again.lots.totals(lot.key)) == 2
+
+
 def test_a_missing_folder_is_told(tmp_path: Path) -> None:
     with pytest.raises(WorldError) as caught:
         open_store(tmp_path / "nowhere")
