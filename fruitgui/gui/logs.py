@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import faulthandler
 import logging
 import sys
@@ -9,6 +10,7 @@ from collections.abc import Callable
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from types import TracebackType
+from typing import TextIO
 
 LOG = "fruitgui.log"
 CRASH = "crash.log"
@@ -31,16 +33,19 @@ class Logs:
         self.path = folder / LOG
         self._crash_path = folder / CRASH
         self._handler: _LogFile | None = None
+        self._crash: TextIO | None = None
         self._hook = sys.excepthook
 
     def open(self, tell: Callable[[BaseException], None]) -> None:
-        """Begin to write, and tell of what nobody caught."""
-        self._handler = _LogFile(self.path, maxBytes=MOST_BYTES, backupCount=2, encoding="utf-8")
-        self._handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s %(message)s"))
-        logging.getLogger().addHandler(self._handler)
-        logging.getLogger("fruitgui").setLevel(logging.INFO)
-        self._crash = self._crash_path.open("a", encoding="utf-8")
-        faulthandler.enable(self._crash)
+        """Begin to write, and tell of what nobody caught. A log that cannot be written keeps no window from opening."""
+        with contextlib.suppress(OSError):
+            self._handler = _LogFile(self.path, maxBytes=MOST_BYTES, backupCount=2, encoding="utf-8")
+            self._handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s %(message)s"))
+            logging.getLogger().addHandler(self._handler)
+            logging.getLogger("fruitgui").setLevel(logging.INFO)
+        with contextlib.suppress(OSError):
+            self._crash = self._crash_path.open("a", encoding="utf-8")
+            faulthandler.enable(self._crash)
         self._hook = sys.excepthook
 
         def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
@@ -52,9 +57,11 @@ class Logs:
     def close(self) -> None:
         """Write no more."""
         sys.excepthook = self._hook
-        if self._handler is not None:
+        if self._crash is not None:
             faulthandler.disable()
             self._crash.close()
+            self._crash = None
+        if self._handler is not None:
             logging.getLogger().removeHandler(self._handler)
             self._handler.close()
             self._handler = None

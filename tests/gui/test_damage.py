@@ -18,6 +18,7 @@ from fruitgui.classification.training import train
 from fruitgui.errors import InputError
 from fruitgui.gui.app import Application
 from fruitgui.gui.line_plans import model_reader
+from fruitgui.gui.logs import CRASH, LOG
 from fruitgui.gui.messages import Level
 from fruitgui.measurement.correction import VolumeCorrection
 from fruitgui.records.store import open_store
@@ -100,6 +101,14 @@ def test_a_damaged_station_is_set_aside_and_the_last_good_one_is_a_press_away(
         press(application, message.action)
         qtbot.waitUntil(lambda: application.session.station is not None)
         assert workspace.station.load().value is not None
+
+
+def test_logs_that_cannot_be_written_keep_no_window_from_opening(qapp: QApplication, tmp_path: Path) -> None:
+    workspace = open_workspace(tmp_path / "line")
+    for name in (LOG, CRASH):
+        (workspace.folder / name).mkdir()
+    with opened(qapp, workspace) as application:
+        assert application.window.isVisible()
 
 
 def test_what_could_not_be_set_aside_is_not_said_to_be(qapp: QApplication, tmp_path: Path) -> None:
