@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
@@ -12,13 +11,22 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 from fruitgui.errors import FruitguiError, InputError, WorldError
 from fruitgui.gui.beginning import Begun, LinePlan, begun, source_name
 from fruitgui.gui.connected import Connected
+from fruitgui.gui.lot_jobs import (
+    STARTS,
+    EndedLot,
+    doing,
+    ended_told,
+    ending,
+    ending_left_open,
+    leaving,
+    sensors_changed_told,
+)
 from fruitgui.gui.messages import Level, Message, Messages
-from fruitgui.gui.numbers import count_text
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.spell_notes import SpellNotes
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.tasks import Job, TaskRunner
-from fruitgui.gui.told import Told, Words
+from fruitgui.gui.told import Words
 from fruitgui.gui.troubles import Troubles
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.lot import Lot, LotPlan
@@ -34,16 +42,6 @@ translate = QCoreApplication.translate
 
 TICK_MS = 100
 CLOSE_S = 6.0
-STARTS, IN_VIEW = "starts", "in view"
-"""What a job of the line's is at."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class EndedLot:
-    """A lot that was ended, and how many fruit count in it."""
-
-    lot: Lot
-    fruit: int
 
 
 class Running(QObject):
@@ -167,16 +165,7 @@ class Running(QObject):
             return
         self._stopping = line is not None
 
-        def job(progress: Progress, cancelled: Cancelled) -> EndedLot:  # noqa: ARG001 - it ends within seconds
-            if line is None:
-                ended = self._store.lots.end_left_open(lot.key)
-            else:
-                progress(0.0, IN_VIEW)
-                line.stop()
-                line.keep_rest()
-                ended = self._store.lots.end(lot.key)
-            return EndedLot(ended, sum(one.fruit for one in self._store.lots.totals(lot.key)))
-
+        job = ending_left_open(self._store, lot) if line is None else ending(self._store, line, lot)
         self._run(lambda: translate("Running", "Ending the lot"), job, self._ended)
 
     def close(self) -> bool:
@@ -227,7 +216,7 @@ class Running(QObject):
         (self._look if self._tick.isActive() else self._take_counted)()
         self._line, self.lot, self._stopping = None, None, False
         self._tick.stop()
-        self._messages.good(lambda: _ended_told(ended))
+        self._messages.good(lambda: ended_told(ended))
         self.changed.emit()
 
     def _keep(self, change: Callable[[], Lot]) -> None:
@@ -247,7 +236,7 @@ class Running(QObject):
 
     def _run(self, name: Words, job: Job[T], done: Callable[[T], None]) -> None:
         self._busy = True
-        task = self._tasks.run(name, job, _doing)
+        task = self._tasks.run(name, job, doing)
         for over in (task.succeeded, task.failed, task.cancelled):
             over.connect(self._rest)
         task.succeeded.connect(done)
@@ -303,32 +292,5 @@ class Running(QObject):
         self._tick.stop()
         self._note_spells(None)
         self._note_troubles(())
-
-        def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - it ends within seconds
-            line.stop()
-            line.keep_rest()
-            return self._store.lots.pause(lot.key)
-
-        self._run(lambda: translate("Running", "Stopping the line"), job, self._left)
-        self._messages.say(Message(Level.BAD, _sensors_changed, stays=True))
-
-
-def _doing(said: str) -> str:
-    """Return what a job is at in the language in force."""
-    words = {
-        STARTS: translate("Running", "Starting the line"),
-        IN_VIEW: translate("Running", "Counting the fruit still in view"),
-    }
-    return words.get(said, said)
-
-
-def _ended_told(ended: EndedLot) -> Told:
-    text = translate("Running", "Lot {name} is ended with {count} fruit.")
-    return Told(text.format(name=ended.lot.name, count=count_text(ended.fruit)))
-
-
-def _sensors_changed() -> Told:
-    return Told(
-        translate("Running", "The sensors were changed, so the line was stopped."),
-        translate("Running", "The lot is still open: go on with it on the live screen."),
-    )
+        self._run(lambda: translate("Running", "Stopping the line"), leaving(self._store, line, lot), self._left)
+        self._messages.say(Message(Level.BAD, sensors_changed_told, stays=True))
