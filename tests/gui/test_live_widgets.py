@@ -2,12 +2,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.drawn import BeltMap, DrawnFruit, DrawnPicture, KindLine, LastFruit, MappedFruit
 from fruitgui.gui.steps.live.belt_map import BeltView
+from fruitgui.gui.steps.live.belt_tags import tag_places
 from fruitgui.gui.steps.live.counts import LEAST, TOTAL, CountsView, places_for
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
 from fruitgui.gui.steps.live.layout import LiveLayout, Pictures, columns_for
@@ -176,6 +177,22 @@ def test_counts_grow_with_the_room_that_there_is(qtbot: QtBot, theme: Theme) -> 
     assert _ink_height(view, 5, 6) > 64
 
 
+def test_counts_of_ten_kinds_are_read_from_two_metres_in_the_least_window(qtbot: QtBot, theme: Theme) -> None:
+    """Ten kinds and what is unknown, in the room that the live screen has in a window of 1280×720."""
+    body = LiveLayout(theme)
+    qtbot.addWidget(body)
+    body.resize(1040, 554)
+    body.show()
+    body.show_counts([_line("lemon", 8)] * 6)
+    assert body.histogram.isVisible()
+    body.show_counts([_line("lemon", 8)] * 11)
+    qtbot.waitUntil(lambda: body.counts.height() >= body.counts.far_height)
+    assert not body.histogram.isVisible(), "it gives way"
+    assert _ink_height(body.counts, 10, 11) >= 29, "as high as the digits of six kinds"
+    body.resize(1680, 914)
+    qtbot.waitUntil(lambda: body.histogram.isVisible() and body.counts.height() >= body.counts.far_height)
+
+
 def test_eight_rows_are_drawn_in_the_least_room(qtbot: QtBot, theme: Theme) -> None:
     """A window of 1280×720 with seven kinds and the band that says that nothing is counted."""
     view = CountsView(theme)
@@ -212,6 +229,25 @@ def test_the_belt_is_drawn_with_what_is_on_it(qtbot: QtBot, theme: Theme) -> Non
     assert image.pixelColor(round(x + 0.3 * 0.04 * scale), round(y + 0.3 * 0.04 * scale)) == QColor(
         MARKS["red apple"].colour
     )
+
+
+@pytest.mark.parametrize(("sensors", "size"), [(2, (600, 150)), (4, (600, 150)), (8, (600, 150)), (8, (1900, 500))])
+def test_names_on_the_belt_hide_no_other_and_stand_on_the_edge_of_their_footprint(
+    sensors: int, size: tuple[int, int]
+) -> None:
+    names = [f"kinect_{number}" for number in range(1, sensors + 1)]
+    step, wide = 0.5 * size[0] / sensors, size[0] / sensors
+    first = np.array([[0.0, 12.0], [wide, 6.0], [wide, size[1] - 6.0], [9.0, size[1] - 12.0]])
+    edges = {name: first + np.array([number * step, 0.0]) for number, name in enumerate(names)}
+    room, speed = QRectF(0, 0, *size), QRectF(0, 0, 90, 22)
+    places = tag_places(edges, dict.fromkeys(names, QSizeF(66.0, 18.0)), room, [speed])
+    boxes = [speed, *places.values()]
+    assert all(room.contains(one) for one in boxes)
+    assert not any(one.intersects(other) for n, one in enumerate(boxes) for other in boxes[:n])
+    for name, box in places.items():
+        assert box.left() <= edges[name][:, 0].max()
+        assert box.right() >= edges[name][:, 0].min()
+        assert box.top() < 44 or box.bottom() > size[1] - 44, "at an edge, not in the middle of the belt"
 
 
 def test_the_newest_fruit_comes_first(qtbot: QtBot, theme: Theme) -> None:

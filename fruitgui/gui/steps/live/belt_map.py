@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPixmap, QTransform
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen, QPixmap, QTransform
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from fruitgui.frame import F64
 from fruitgui.gui.drawn import BeltMap, MappedFruit
 from fruitgui.gui.numbers import THIN, number_text
+from fruitgui.gui.steps.live.belt_tags import tag_places
 from fruitgui.gui.theme.stamps import drawn_pixmap, stamp
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import DARK, GRID, RADIUS
@@ -22,6 +24,7 @@ SEEN, WARN, BAD = (QColor(one) for one in (DARK.accent, DARK.warn, DARK.bad))
 """It lies on a picture's ground, dark in either theme: trails of a light kind would not be seen on a light one."""
 
 MARGIN = 0.04
+TAG_INSET = 2.0
 LETTERS_FROM_PX = 9.0
 
 
@@ -75,31 +78,39 @@ class BeltView(QWidget):
     def _ground_of(self, belt: BeltMap, to_screen: QTransform) -> QPixmap:
         """Return what the sensors see of the belt, drawn anew only where that changed."""
         corners = tuple((sensor, one.tobytes()) for sensor, one in belt.footprints_m.items())
-        ratio, text_scale = self.devicePixelRatioF(), self._theme.text_scale
-        key = ("belt", corners, sorted(belt.blind), self.size().toTuple(), ratio, text_scale)
+        ratio, speed = self.devicePixelRatioF(), self._speed(belt)
+        key = ("belt", corners, sorted(belt.blind), speed, self.size().toTuple(), ratio)
 
         def paint(painter: QPainter) -> None:
-            for number, sensor in enumerate(belt.footprints_m):
-                self._paint_footprint(painter, sensor, to_screen, belt, number)
+            edges_px = {sensor: on_screen(one, to_screen) for sensor, one in belt.footprints_m.items()}
+            for sensor, edge_px in edges_px.items():
+                self._paint_footprint(painter, edge_px, blind=sensor in belt.blind)
+            self._paint_tags(painter, edges_px, belt)
 
         return stamp(key, lambda: drawn_pixmap(self.width(), self.height(), ratio, paint))
 
-    def _paint_footprint(
-        self, painter: QPainter, sensor: str, to_screen: QTransform, belt: BeltMap, number: int
-    ) -> None:
-        blind = sensor in belt.blind
+    def _paint_footprint(self, painter: QPainter, edge_px: F64, *, blind: bool) -> None:
         colour = BAD if blind else SEEN
         fill = QColor(colour)
         fill.setAlpha(18)
         painter.setBrush(Qt.BrushStyle.BDiagPattern if blind else fill)
         painter.setPen(QPen(colour, 1.5, Qt.PenStyle.DashLine if blind else Qt.PenStyle.SolidLine))
-        polygon = path_of([on_screen(belt.footprints_m[sensor], to_screen)], closed=True)
-        painter.drawPath(polygon)
-        painter.setFont(self._theme.font("small"))
-        painter.setPen(BAD if blind else DIM)
-        box = polygon.boundingRect().adjusted(GRID, GRID / 2, -GRID, -GRID / 2)
-        side = Qt.AlignmentFlag.AlignTop if number % 2 == 0 else Qt.AlignmentFlag.AlignBottom
-        painter.drawText(box, side | Qt.AlignmentFlag.AlignRight, sensor)
+        painter.drawPath(path_of([edge_px], closed=True))
+
+    def _paint_tags(self, painter: QPainter, edges_px: Mapping[str, F64], belt: BeltMap) -> None:
+        """Write each sensor's name on the edge of what it sees, on a ground of its own: no line crosses it."""
+        painter.setFont(self._theme.font("small", QFont.Weight.DemiBold))
+        metrics = QFontMetricsF(painter.font())
+        height = metrics.height() + TAG_INSET
+        sizes = {one: QSizeF(metrics.horizontalAdvance(one) + 1.5 * GRID, height) for one in edges_px}
+        speed = QRectF(0, 0, metrics.horizontalAdvance(self._speed(belt)) + 2 * GRID, height + GRID / 2)
+        for sensor, box in tag_places(edges_px, sizes, QRectF(self.rect()), [speed]).items():
+            blind = sensor in belt.blind
+            painter.setPen(QPen(BAD if blind else SEEN, 1.0))
+            painter.setBrush(PAPER)
+            painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), box.height() / 2, box.height() / 2)
+            painter.setPen(BAD if blind else INK)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, sensor)
 
     def _paint_fruit(self, painter: QPainter, fruit: Sequence[MappedFruit], to_screen: QTransform) -> None:
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -116,13 +127,13 @@ class BeltView(QWidget):
         paint_lines(painter, ellipses, INK, closed=True)
 
     def _paint_speed(self, painter: QPainter, belt: BeltMap) -> None:
-        if belt.speed_m_s is None:
-            return
         painter.setFont(self._theme.font("small", QFont.Weight.DemiBold))
         painter.setPen(DIM)
-        text = f"→  {number_text(belt.speed_m_s, 2)}{THIN}m/s"
         painter.drawText(QRectF(self.rect()).adjusted(GRID, GRID / 2, -GRID, -GRID / 2),
-                         Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, text)  # fmt: skip
+                         Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, self._speed(belt))  # fmt: skip
+
+    def _speed(self, belt: BeltMap) -> str:
+        return "" if belt.speed_m_s is None else f"→  {number_text(belt.speed_m_s, 2)}{THIN}m/s"
 
     def _paint_words(self, painter: QPainter, belt: BeltMap) -> None:
         """Say over the belt what nobody sees of it."""

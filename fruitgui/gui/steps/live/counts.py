@@ -30,10 +30,13 @@ TOTAL_SHARE, TOTAL, TALLEST_TOTAL = 0.115, 48, 128
 """The row of all fruit together: a part of the height, at least and at most."""
 
 TOTAL_FIGURE_SHARE = 0.75
-FIGURE_SHARE, FIGURE_WIDTH_SHARE = 0.78, 0.15
+FAR_PX = 40
+"""Figures of this size are read from two metres away."""
+
+FIGURE_SHARE, TIGHT_SHARE, FIGURE_WIDTH_SHARE = 0.78, 0.95, 0.15
 SMALLEST_FIGURE_PX = 20
-"""Counts take so much of their row's height, and no more of its width; from 40 pixels on they are read from two metres
-away."""
+"""Counts take so much of their row's height, more of it where they could not be read from afar, and no more of its
+width."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,11 +56,22 @@ class Places:
 
 def places_for(rows: int, width: float, height: float) -> Places:
     """Return where so many rows go, so that all of them are in view and each as large as there is room for."""
-    top = min(max(TOTAL_SHARE * height, TOTAL), TALLEST_TOTAL)
+    top = min(max(TOTAL_SHARE * height, TOTAL), TALLEST_TOTAL) if height >= far_height(rows) else TOTAL
     columns = next((n for n in range(1, MOST_COLUMNS) if (height - top) / math.ceil(max(rows, 1) / n) >= LEAST),
                    MOST_COLUMNS)  # fmt: skip
     down = math.ceil(max(rows, 1) / columns)
     return Places(top, columns, (width - (columns - 1) * 2 * GRID) / columns, min((height - top) / down, TALLEST))
+
+
+def far_height(rows: int) -> float:
+    """Return the height, pixels, from which on so many rows in one column are read from two metres away."""
+    return TOTAL + rows * FAR_PX / TIGHT_SHARE
+
+
+def figure_px(width: float, height: float) -> float:
+    """Return the size of the figure in a row of this size, pixels."""
+    wanted = max(FIGURE_SHARE * height, min(FAR_PX, TIGHT_SHARE * height))
+    return max(min(wanted, FIGURE_WIDTH_SHARE * width), SMALLEST_FIGURE_PX)
 
 
 class CountsView(QWidget):
@@ -78,6 +92,11 @@ class CountsView(QWidget):
             said = "; ".join(f"{line.name}: {line.count}" for line in lines)
             self.setAccessibleDescription(said)
             self.update()
+
+    @property
+    def far_height(self) -> float:
+        """Pixels: as high as it must be to be read from two metres away."""
+        return far_height(len(self._lines))
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Return the size that it wants."""
@@ -132,7 +151,7 @@ class CountsView(QWidget):
         """Return a kind's row; of all rows few change from look to look."""
         height = places.height
         theme, box, ratio = self._theme, QRectF(0, 0, places.width, height), self.devicePixelRatioF()
-        key = ("count", line, box.width(), height, ruled, ratio, theme.name, theme.text_scale, self.tr("mean {volume}"))
+        key = ("count", line, box.width(), height, ruled, ratio, theme.name, self.tr("mean {volume}"))
         return stamp(
             key,
             lambda: drawn_pixmap(
@@ -147,8 +166,7 @@ class CountsView(QWidget):
             painter.drawLine(box.topLeft(), box.topRight())
         side = box.height() * 0.62
         paint_mark(painter, QRectF(0, box.center().y() - side / 2, side, side), line.mark)
-        largest_px = min(FIGURE_SHARE * box.height(), FIGURE_WIDTH_SHARE * box.width())
-        painter.setFont(self._figure(max(largest_px, SMALLEST_FIGURE_PX)))
+        painter.setFont(self._figure(figure_px(box.width(), box.height())))
         painter.setPen(theme.colour("text" if line.count else "text_dim"))
         count = count_text(line.count)
         width = QFontMetricsF(painter.font()).horizontalAdvance(count)

@@ -65,7 +65,7 @@ class LastFruitView(QWidget):
 
     def _card(self, fruit: LastFruit, width: float, *, newest: bool) -> QPixmap:
         theme, box, ratio = self._theme, QRectF(0, 0, width, HEIGHT), self.devicePixelRatioF()
-        key = ("fruit", id(self), fruit.key, fruit.name, width, newest, ratio, theme.name, theme.text_scale)
+        key = ("fruit", id(self), fruit.key, fruit.name, width, newest, ratio, theme.name)
         return stamp(
             key,
             lambda: drawn_pixmap(

@@ -6,9 +6,10 @@ import math
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, QSize, Signal
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
 
+from fruitgui.gui.drawn import KindLine
 from fruitgui.gui.steps.live.belt_map import BeltView
 from fruitgui.gui.steps.live.counts import CountsView
 from fruitgui.gui.steps.live.last_fruit import LastFruitView
@@ -22,6 +23,9 @@ from fruitgui.gui.widgets.sensor_picture import SensorPicture
 
 MOST_COLUMNS = 4
 LAYERS_PX = 22
+
+COUNTS_SHARE = 3
+"""The counts are so many times as high as the histogram below them."""
 
 
 class Pictures(QWidget):
@@ -100,7 +104,7 @@ class LiveLayout(QWidget):
         left.addWidget(belt_card, 3)
         left.addWidget(self.last)
         right.addWidget(self.standing)
-        right.addWidget(counts_card, 3)
+        right.addWidget(counts_card, COUNTS_SHARE)
         right.addWidget(histogram_card, 1)
         whole.setSpacing(2 * GRID)
         whole.addLayout(left, 8)
@@ -112,7 +116,7 @@ class LiveLayout(QWidget):
         self._shown.setMenu(self._menu)
         self.pictures.installEventFilter(self)
         self.pictures.enlarged.connect(self._give_way)
-        self._belt_card = belt_card
+        self._belt_card, self._counts_card, self._histogram_card = belt_card, counts_card, histogram_card
         theme.changed.connect(self._draw)
         self._theme = theme
         self._draw()
@@ -121,6 +125,16 @@ class LiveLayout(QWidget):
     def show_overlay_actions(self, actions: Sequence[QAction]) -> None:
         """Offer to choose what is drawn over the pictures."""
         self._menu.addActions(list(actions))
+
+    def show_counts(self, lines: Sequence[KindLine]) -> None:
+        """Show other counts."""
+        self.counts.show_lines(lines)
+        self._share_right()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Use the room."""
+        super().resizeEvent(event)
+        self._share_right()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Keep the button in its corner."""
@@ -140,6 +154,13 @@ class LiveLayout(QWidget):
         """Give a large picture all the room at the left: only there its labels have words in the least window."""
         for one in (self._belt_card, self.last):
             one.setVisible(not enlarged)
+
+    def _share_right(self) -> None:
+        """Let the histogram give way where the counts beside it could not be read from two metres away."""
+        around = self._counts_card.body.contentsMargins()
+        room = self.height() - (0 if self.standing.isHidden() else self.standing.height() + GRID)
+        beside = (room - GRID) * COUNTS_SHARE / (COUNTS_SHARE + 1) - around.top() - around.bottom()
+        self._histogram_card.setVisible(beside >= self.counts.far_height)
 
     def _draw(self) -> None:
         self._shown.setIcon(icons.icon("layers", self._theme.colour("text"), size_px=LAYERS_PX))

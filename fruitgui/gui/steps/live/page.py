@@ -224,7 +224,7 @@ class LivePage(StepPage):
         tally, kinds = self._running.tally, self._running.kinds
         for kind in kinds:
             self._marks.of(kind)
-        self.body.counts.show_lines(presenter.kind_lines(tally, kinds, self._marks, time.monotonic()))
+        self.body.show_counts(presenter.kind_lines(tally, kinds, self._marks, time.monotonic()))
         if self._question is not None:
             self._question.show_fruit(tally.count_all)
         self._say_unnamed()
