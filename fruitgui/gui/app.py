@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QDialog
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui import error_words
+from fruitgui.gui.enlarged import enlarged
 from fruitgui.gui.gc_confinement import ConfinedCollector
 from fruitgui.gui.health import HealthWatch
 from fruitgui.gui.help_window import HelpWindow
@@ -203,7 +204,7 @@ def run(workspace_folder: Path | None = None) -> int:
     Raises:
         WorldError: the workspace's folder cannot be made; or its records cannot be opened, and the person gave up.
     """
-    qt = make_qt()
+    qt = enlarged(make_qt, (open_workspace(workspace_folder).settings.glance() or Settings()).words_percent)
     application = Application(qt, workspace_folder)
     application.start()
     waker = QTimer(interval=WAKE_MS)

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from fruitgui.gui.enlarged import offered
 from fruitgui.gui.numbers import THIN
 from fruitgui.gui.theme.tokens import GRID, TOUCH
 from fruitgui.gui.translate import LANGUAGES
@@ -34,7 +35,7 @@ class SettingsDialog(QDialog):
     def __init__(self, settings: Settings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._settings = settings
-        self.language, self.theme = ChoiceBox(), ChoiceBox()
+        self.language, self.theme, self.words = ChoiceBox(), ChoiceBox(), ChoiceBox()
         self.pictures, self.free_gb = KeepingTime(settings.crops_kept_days), DecimalBox()
         self.gone = self._note("")
         self._fill()
@@ -51,6 +52,7 @@ class SettingsDialog(QDialog):
             update={
                 "language": self.language.currentData(),
                 "theme": self.theme.currentData(),
+                "words_percent": self.words.currentData(),
                 "crops_kept_days": self.pictures.days,
                 "least_free_mb": self._least_free_mb(),
             }
@@ -71,6 +73,10 @@ class SettingsDialog(QDialog):
             ("light", self.tr("Light")),
         ):
             self.theme.addItem(text, name)
+        for percent in offered(self.screen().availableSize(), self._settings.words_percent):
+            named = {100: self.tr("Normal"), 125: self.tr("Large"), 150: self.tr("Larger"), 200: self.tr("Very large")}
+            self.words.addItem(f"{named[percent]} ({percent}{THIN}%)", percent)
+        self.words.setCurrentIndex(self.words.findData(self._settings.words_percent))
         self.language.setCurrentIndex(max(self.language.findData(self._settings.language), 0))
         self.theme.setCurrentIndex(max(self.theme.findData(self._settings.theme), 0))
         for box in (self.pictures.own, self.free_gb):
@@ -87,6 +93,8 @@ class SettingsDialog(QDialog):
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._row(form, self.tr("&Language"), self.language)
         self._row(form, self.tr("L&ook"), self.theme)
+        self._row(form, self.tr("Size of &words"), self.words)
+        form.addRow(self._note(self.tr("Buttons and pictures grow with them, from the next start on.")))
         self._row(form, self.tr("Keep &pictures of fruit"), self.pictures)
         form.addRow(self.gone)
         self._row(form, self.tr("&Free room that stays on the disk"), self.free_gb)

@@ -69,6 +69,10 @@ class KeptFile(Generic[T]):
             aside = None if error.code == "cannot_read" else set_aside(self.path)
             return Kept(None, Damage(self.path, error, aside, self.previous_path if self._has_previous() else None))
 
+    def glance(self) -> T | None:
+        """Return what the file holds and touch nothing; None where it cannot be read."""
+        return self._readable(self.path)
+
     def save(self, value: T) -> None:
         """Write a value; what was good before is kept as the previous state.
 
@@ -91,8 +95,11 @@ class KeptFile(Generic[T]):
 
     def previous(self) -> T | None:
         """Return the previous state; None where there is none that can be read."""
+        return self._readable(self.previous_path)
+
+    def _readable(self, path: Path) -> T | None:
         try:
-            return self._read(self.previous_path) if self.previous_path.exists() else None
+            return self._read(path) if path.exists() else None
         except InputError:
             return None
 

@@ -43,7 +43,7 @@ def qapp_args() -> list[str]:
 def theme(qapp: QApplication) -> Theme:
     load_fonts()
     look = Theme("dark")
-    look.put_on(qapp)
+    look.put_on(qapp, "dark")
     return look
 
 

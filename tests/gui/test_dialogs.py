@@ -69,6 +69,15 @@ def test_it_is_said_beforehand_that_pictures_go_for_good(qtbot: QtBot, before: i
 
 
 @pytest.mark.usefixtures("theme")
+def test_a_size_of_words_that_was_chosen_stays(qtbot: QtBot) -> None:
+    dialog = SettingsDialog(Settings(words_percent=150))
+    qtbot.addWidget(dialog)
+    assert dialog.chosen.words_percent == 150
+    dialog.words.setCurrentIndex(dialog.words.findData(100))
+    assert dialog.chosen == Settings()
+
+
+@pytest.mark.usefixtures("theme")
 def test_fields_of_a_later_version_survive_the_dialog(qtbot: QtBot) -> None:
     dialog = SettingsDialog(Settings.model_validate({"theme": "dark", "from_the_future": 7}))
     qtbot.addWidget(dialog)

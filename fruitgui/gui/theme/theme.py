@@ -17,15 +17,14 @@ class Theme(QObject):
     """The look in force. One is made at the start and handed to whoever paints by hand.
 
     Attributes:
-        changed: another theme or text size was put on.
+        changed: another theme was put on.
     """
 
     changed = Signal()
 
-    def __init__(self, name: str = "dark", text_scale: float = 1.0, parent: QObject | None = None) -> None:
+    def __init__(self, name: str = "dark", parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.name = name
-        self.text_scale = text_scale
 
     @property
     def colours(self) -> Colours:
@@ -35,9 +34,7 @@ class Theme(QObject):
     @property
     def scale(self) -> TypeScale:
         """The font sizes in force."""
-        plain = TypeScale()
-        sizes = {name: round(getattr(plain, name) * self.text_scale) for name in TypeScale.__dataclass_fields__}
-        return TypeScale(**sizes)
+        return TypeScale()
 
     def colour(self, name: str) -> QColor:
         """Return a colour by the name of its token."""
@@ -50,10 +47,9 @@ class Theme(QObject):
         font.setWeight(weight)
         return font
 
-    def put_on(self, application: QApplication, name: str | None = None, text_scale: float | None = None) -> None:
-        """Dress the application; what is not given stays as it is."""
-        self.name = name or self.name
-        self.text_scale = text_scale or self.text_scale
+    def put_on(self, application: QApplication, name: str) -> None:
+        """Dress the application."""
+        self.name = name
         application.setStyle("Fusion")
         application.setPalette(_palette(self.colours))
         application.setFont(self.font())

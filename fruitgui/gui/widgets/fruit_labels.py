@@ -73,7 +73,7 @@ class FruitLabels:
 
     def _label(self, mark: KindMark, words: tuple[str, ...], ratio: float) -> Label:
         """Return a label, drawn before where it was; kept here, as asking Qt's own store takes longer than drawing."""
-        key = (mark, words, ratio, self._theme.text_scale)
+        key = (mark, words, ratio)
         label = self._drawn.get(key)
         if label is None:
             picture = self._draw(mark, words, ratio)

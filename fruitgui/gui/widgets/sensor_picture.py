@@ -181,7 +181,7 @@ class SensorPicture(QWidget):
         drawn = self._drawn
         health = drawn.health if drawn is not None and drawn.health in HEALTH else "info"
         text = self.sensor if drawn is None or not drawn.words else f"{self.sensor} · {drawn.words}"
-        key = ("caption", text, health, self.width(), self.devicePixelRatioF(), self._theme.text_scale)
+        key = ("caption", text, health, self.width(), self.devicePixelRatioF())
         return stamp(key, lambda: self._drawn_caption(text, health))
 
     def _drawn_caption(self, text: str, health: str) -> QPixmap:

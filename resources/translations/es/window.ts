@@ -499,6 +499,30 @@
         <translation>Claro</translation>
     </message>
     <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Large</source>
+        <translation>Grande</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Más grande</translation>
+    </message>
+    <message>
+        <source>Very large</source>
+        <translation>Muy grande</translation>
+    </message>
+    <message>
+        <source>Size of &amp;words</source>
+        <translation>&amp;Tamaño de las letras</translation>
+    </message>
+    <message>
+        <source>Buttons and pictures grow with them, from the next start on.</source>
+        <translation>Los botones y las imágenes crecen con ellas, desde el próximo inicio.</translation>
+    </message>
+    <message>
         <source>Once saved, older pictures are deleted for good. Counts, sizes and what was taught stay for ever.</source>
         <translation>Al guardar, las fotos más antiguas se borran para siempre. Cantidades, tamaños y lo enseñado quedan.</translation>
     </message>
