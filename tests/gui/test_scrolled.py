@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QPoint
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QPointingDevice
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QListWidget, QPushButton, QScroller, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
+from fruitgui.gui.widgets.reach import reach
 from fruitgui.gui.widgets.scrolled import Scrolled
 
 WORDS = "Check its cable and its power supply; it is opened again by itself when it returns. " * 4
@@ -63,3 +64,30 @@ def test_a_finger_presses_what_it_taps_and_scrolls_where_it_moves(qtbot: QtBot) 
     _touch(button, finger, *(middle - QPoint(0, 12 * step) for step in range(12)))
     qtbot.waitUntil(lambda: bar.value() > 40)
     assert pressed == [2], "a finger that moves presses nothing"
+
+
+@pytest.mark.usefixtures("theme")
+def test_a_finger_chooses_the_row_that_it_taps_and_none_where_it_scrolls(qtbot: QtBot) -> None:
+    rows = QListWidget()
+    rows.addItems([f"Lot {number}" for number in range(60)])
+    rows.setVerticalScrollMode(QListWidget.ScrollMode.ScrollPerPixel)
+    reach(rows)
+    qtbot.addWidget(rows)
+    rows.resize(300, 400)
+    rows.show()
+    rows.setCurrentRow(1)
+    chosen: list[int] = []
+    rows.currentRowChanged.connect(chosen.append)
+    finger, bar, area = QTest.createTouchDevice(), rows.verticalScrollBar(), rows.viewport()
+    low = rows.visualItemRect(rows.item(6)).center()
+    _touch(area, finger, *(low - QPoint(0, 12 * step) for step in range(12)))
+    qtbot.waitUntil(lambda: bar.value() > 40)
+    qtbot.waitUntil(lambda: QScroller.scroller(area).state() == QScroller.State.Inactive)
+    assert chosen == []
+    assert rows.selectedItems() == [rows.item(1)]
+    wanted = rows.itemAt(low)
+    _touch(area, finger, low)
+    qtbot.waitUntil(lambda: rows.selectedItems() == [wanted])
+    assert chosen == [rows.row(wanted)]
+    qtbot.mousePress(area, Qt.MouseButton.LeftButton, pos=rows.visualItemRect(wanted).center() - QPoint(0, 60))
+    assert len(chosen) == 2, "a mouse chooses as it is pressed"

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QAbstractScrollArea, QScroller, QScrollerProperties
+from PySide6.QtWidgets import QAbstractItemView, QAbstractScrollArea, QScroller, QScrollerProperties
 
 from fruitgui.gui.widgets.focus import FocusRing
+from fruitgui.gui.widgets.tapped import TapChooses
 
 
 def reach(area: QAbstractScrollArea) -> None:
     """Let finger and keyboard reach something that scrolls: a scroll bar is too thin for a glove."""
     FocusRing(area)
     scrolled_by_finger(area)
+    if isinstance(area, QAbstractItemView):
+        TapChooses(area)
 
 
 def scrolled_by_finger(area: QAbstractScrollArea) -> None:
