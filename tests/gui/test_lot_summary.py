@@ -74,3 +74,19 @@ def test_all_is_in_view_in_the_least_window(qtbot: QtBot, theme: Theme, qapp: QA
     assert summary.verticalScrollBar().maximum() == 0
     histogram = next(iter(summary.spreads.histograms.values()))
     assert histogram.height() >= histogram.minimumHeight()
+
+
+def test_a_warning_of_two_rows_makes_nothing_scroll_in_the_least_window(
+    qtbot: QtBot, theme: Theme, qapp: QApplication
+) -> None:
+    summary = Summary(theme)
+    qtbot.addWidget(summary)
+    summary.resize(724, 495)
+    few = Spell(60.0, 90.0, Blind(("kinect_2",), ((0.0, 0.2),), 0.6, 0.3), "sparse")
+    summary.show_figures(_figures(5, (AWAY, few)), kind_marks(KINDS))
+    summary.show()
+    qapp.processEvents()
+    assert summary.unseen.height() > 1.5 * summary.unseen.fontMetrics().lineSpacing()
+    assert summary.verticalScrollBar().maximum() == 0
+    histogram = next(iter(summary.spreads.histograms.values()))
+    assert histogram.height() >= histogram.minimumHeight()

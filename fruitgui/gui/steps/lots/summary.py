@@ -41,7 +41,7 @@ WIDEST = 1080
 
 FIGURE_WIDTH, NAME_WIDTH = 128, 130
 TIMES_HEIGHT, BAND = 36, 12
-SPREADS_HEIGHT, LEAST_SPREADS_HEIGHT = 220, 150
+SPREADS_HEIGHT, LOW_SPREADS_HEIGHT, LEAST_SPREADS_HEIGHT = 220, 150, 128
 MOST_TOLD = 20
 """Times that a pointer's rest tells of, the longest."""
 
@@ -214,7 +214,7 @@ class Summary(QScrollArea):
         top.body.addWidget(self.kinds)
         bottom.body.addWidget(self.spreads, 1)
         bottom.body.addWidget(self.note)
-        self._bottom = bottom
+        self._top, self._bottom = top, bottom
         inside = QWidget()
         inside.setProperty("role", "scrolled")
         self.setWidget(inside)
@@ -245,7 +245,6 @@ class Summary(QScrollArea):
         roomy = self.viewport().height() >= ROOMY
         for words in (self.when, self.note):
             words.setVisible(roomy)
-        self._bottom.setMinimumHeight(SPREADS_HEIGHT if roomy else LEAST_SPREADS_HEIGHT)
         self._fit_words()
 
     def _fit_words(self) -> None:
@@ -261,6 +260,14 @@ class Summary(QScrollArea):
             words.setSizePolicy(policy)
             words.setMinimumHeight(0)  # what was needed at another width would count
             words.setFixedHeight(max(words.heightForWidth(width), 0))
+        self._fit_spreads()
+
+    def _fit_spreads(self) -> None:
+        """Let the spread of sizes be as high as it is best, and as low as it can be read before anything scrolls."""
+        height = self.viewport().height()
+        left = height - self._top.minimumSizeHint().height() - GRID
+        best = SPREADS_HEIGHT if height >= ROOMY else LOW_SPREADS_HEIGHT
+        self._bottom.setMinimumHeight(max(min(best, left), LEAST_SPREADS_HEIGHT))
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Take over another language."""
