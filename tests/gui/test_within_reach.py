@@ -1,6 +1,6 @@
 """Screens and dialogs in the least window: large enough for gloves, no word cut off, the keyboard everywhere, and seen.
 
-The walks are over screens that need no line to run; `python -m fruitgui.gui.shots` takes the others.
+No line runs in the walks, though one seems to; `python -m fruitgui.gui.shots` takes the screens that need one.
 """
 
 from __future__ import annotations
@@ -18,8 +18,9 @@ from tests.gui.reach import cut_off, focus_unseen, out_of_keyboard, rows_too_sma
 
 SCENES = (
     "connect-nothing", "connect-recorded", "connect-record", "connect-checkup-wrong", "connect-projectors-result",
-    "teach-nothing", "train-nothing", "lots-many", "lots-fruit", "lots-open-corrected", "dialog-new-lot",
-    "dialog-end-lot", "dialog-settings-own", "dialog-densities-many", "trouble-backup", "trouble-none",
+    "live-staged", "live-staged-many", "teach-nothing", "train-nothing", "lots-many", "lots-fruit",
+    "lots-open-corrected", "dialog-new-lot", "dialog-end-lot", "dialog-settings-own", "dialog-densities-many",
+    "trouble-backup", "trouble-none",
 )  # fmt: skip
 
 Shown = Callable[[str, str], QWidget]

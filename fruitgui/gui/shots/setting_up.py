@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
@@ -45,10 +45,13 @@ class SettingUp:
 
 
 @contextmanager
-def setting_up(stage: Stage, step: Step, rig: FrozenSource) -> Iterator[SettingUp]:
-    """Open a window at a step; on leaving, everything that runs is stopped."""
+def setting_up(
+    stage: Stage, step: Step, rig: FrozenSource, prepare: Callable[[Session], None] = lambda _session: None
+) -> Iterator[SettingUp]:
+    """Open a window at a step of a session, `prepare`d before; on leaving, everything that runs is stopped."""
     with tempfile.TemporaryDirectory(dir=stage.folder) as folder:
         session = Session(open_workspace(Path(folder)), sources=frozen_sources(rig))
+        prepare(session)
         pages: Mapping[Step, StepPage] = {
             one: page_maker(one)(session, stage.theme) if one is step else StepPage() for one in Step
         }

@@ -29,7 +29,7 @@ def _page(on: SettingUp) -> BeltPage:
 
 
 @cache
-def _station(layout: str, *, moving: bool) -> Station:
+def made_station(layout: str, *, moving: bool) -> Station:
     """Return the rig that is shown as calibrating finds it; its belt moves to the right, or is not known to move."""
     simulation = still_scene(SEED, layout, 15, captures=3)
     stills: dict[str, list[Frame]] = {}
@@ -47,7 +47,7 @@ def _setting(stage: Stage, layout: str, view: str, *, moving: bool) -> Iterator[
     with setting_up(stage, Step.BELT, simulated_rig(layout)) as on:
         page = _page(on)
         on.connect()
-        on.session.save_station(_station(layout, moving=moving))
+        on.session.save_station(made_station(layout, moving=moving))
         stage.wait_until(lambda: not on.session.saving)
         pictures: list[QImage] = []
         page._backdrop.made.connect(pictures.append)

@@ -20,6 +20,7 @@ from fruitgui.gui.health import HealthWatch
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.made_lots import made_fruit
 from fruitgui.gui.shots.stage import Scene, Stage
+from fruitgui.gui.shots.staged_line import staged_line
 from fruitgui.gui.steps.live.page import LivePage
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.steps.page import StepPage
@@ -101,12 +102,18 @@ def _silence(session: Session) -> None:
     session.connected.health["kinect_2"] = replace(now, state=Running.SILENT, age_s=37.0)
 
 
-def _many_kinds() -> Tally:
-    """Return a busy lot of seven kinds and some fruit that are unknown."""
+@contextmanager
+def _staged(stage: Stage, kinds: tuple[str, ...]) -> Iterator[QWidget]:
+    with staged_line(stage, kinds, _many_kinds(kinds)) as window:
+        yield window
+
+
+def _many_kinds(kinds: tuple[str, ...] = MANY) -> Tally:
+    """Return a busy lot of these kinds and some fruit that are unknown."""
     rng = np.random.default_rng(SEED)
     tally = Tally()
     for number in range(MANY_FRUIT):
-        kind = str(rng.choice([*MANY, UNKNOWN]))
+        kind = str(rng.choice([*kinds, UNKNOWN]))
         tally.count(replace(made_fruit(rng, number + 1, "lemon"), kind=kind), time.monotonic())
     return tally
 
@@ -138,5 +145,7 @@ SCENES: tuple[Scene, ...] = (
     Scene("live-paused", partial(_line, state="paused")),
     Scene("live-silent", partial(_line, state="silent")),
     Scene("live-kinds", partial(_line, state="kinds")),
+    Scene("live-staged", partial(_staged, kinds=MANY[:5])),
+    Scene("live-staged-many", partial(_staged, kinds=(*MANY, "orange", "lime", "mandarin"))),
     Scene("live-large", partial(_line, state="large")),
 )
