@@ -15,7 +15,9 @@ _EARLY_S, _LATE_S = 0.05, 0.5
 _YOUNG_S = 2.0
 """At the beginning it was the first pictures that came late: a host that opens a device is busy."""
 
-_JUMPED_FRAMES = 3
+_JUMPED_FRAMES, _INSISTS_S = 3, 0.2
+"""So many pictures with strange times are a jump. Those that are only late must have come over so long, too: what
+waited for a host that stood still comes all at once."""
 _SHORTEST_STEP_S = 1e-4
 
 
@@ -44,7 +46,7 @@ class HostClock:
     def __init__(self) -> None:
         self._soonest: deque[tuple[float, float]] = deque(maxlen=_BINS)
         self._line = (0.0, 0.0)
-        self._odd = 0
+        self._odd, self._odd_from_s = 0, 0.0
         self._newest_s = -math.inf
         self._given_s: float | None = None
         self.jumps = 0
@@ -67,17 +69,28 @@ class HostClock:
         self._note(device_s, late_s)
         return self._later(self._soonest[-1][0], device_s)
 
-    def _is_usual(self, device_s: float, late_s: float) -> bool:
+    def _off_s(self, device_s: float, late_s: float) -> tuple[float, float]:
+        """Return by how much later than the soonest a picture came, and how unsure that is."""
         offset_s, drift = self._line
         since_s = device_s - self._soonest[-1][0]
-        off_s = late_s - offset_s - drift * since_s
-        unsure_s = 2.0 * _FASTEST * max(since_s, 0.0)
+        return late_s - offset_s - drift * since_s, 2.0 * _FASTEST * max(since_s, 0.0)
+
+    def _is_usual(self, device_s: float, late_s: float) -> bool:
+        off_s, unsure_s = self._off_s(device_s, late_s)
         young = device_s - self._soonest[0][0] < _YOUNG_S
         return -(_YOUNG_S if young else _EARLY_S) - unsure_s <= off_s <= _LATE_S + unsure_s
 
     def _odd_one(self, device_s: float, late_s: float, arrived_s: float) -> float:
-        """Believe the host for once; begin anew where the device insists."""
+        """Believe for once the device where a picture is only late, and else the host; begin anew where it insists.
+
+        A host that stands still is likelier than a clock that leaps by just what was left out. The time at which it
+        awoke would show a fruit a second time, farther on.
+        """
+        self._odd_from_s = arrived_s if self._odd == 0 else self._odd_from_s
         self._odd += 1
+        only_late = device_s > self._newest_s and self._off_s(device_s, late_s)[0] > 0.0
+        if only_late and (self._odd < _JUMPED_FRAMES or arrived_s - self._odd_from_s < _INSISTS_S):
+            return self._later(self._soonest[-1][0], device_s)
         if self._odd < _JUMPED_FRAMES:
             return self._forward(arrived_s)
         self._odd, self._newest_s = 0, device_s

@@ -177,7 +177,7 @@ def test_sensors_start_again_by_themselves_at_the_next_start(
     _connect(qtbot, rigged, page)
     page.changes.rename("left")
     _running(qtbot, rigged, page)
-    rigged.connected.stop()
+    assert rigged.close()
     again = Session(open_workspace(rigged.workspace.folder), sources=frozen_sources(rig))
     other = ConnectPage(again, theme)
     qtbot.addWidget(other)

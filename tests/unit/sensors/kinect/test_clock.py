@@ -81,6 +81,20 @@ def test_a_clock_that_jumps_is_followed_without_going_back() -> None:
         assert (np.diff(given_s) > 0).all()
 
 
+@pytest.mark.parametrize("stood_s", [0.6, 1.0, 3.0])
+def test_what_waited_for_a_host_that_stood_still_gets_the_time_at_which_it_was_taken(stood_s: float) -> None:
+    """Of the time at which the host awoke it would show its fruit a second time, farther on."""
+    clock, rng = HostClock(), np.random.default_rng(10)
+    wrong_s = []
+    for count in range(300):
+        true_s = 50.0 + count / 30.0
+        came_s = max(true_s, 55.0 + stood_s) if true_s >= 55.0 else true_s
+        given_s = clock.time_s(count / 30.0, came_s + 0.004 + rng.exponential(0.001))
+        wrong_s.append(given_s - true_s - 0.004)
+    assert clock.jumps == 0
+    assert np.abs(wrong_s).max() < 0.005
+
+
 @settings(max_examples=50)
 @given(st.lists(st.tuples(st.integers(0, WRAP - 1), st.floats(0.0, 3.0)), min_size=2, max_size=80))
 def test_whatever_a_clock_says_times_go_forward_and_are_finite(said: list[tuple[int, float]]) -> None:
