@@ -23,7 +23,7 @@ LONGEST_S = 1500.0
 Inside = Callable[[Emulation, Path], None]
 
 alone = pytest.mark.xdist_group("emulated USB")
-"""Devices keep their own time: tests with them run one after the other, and all others give way (tests/conftest.py)."""
+"""Devices keep their own time: tests with them run one after the other, and leave a core to each."""
 
 
 def built() -> Path:

@@ -22,7 +22,6 @@ from fruitgui.station.checkup import job
 from fruitgui.station.projector_job import try_devices
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.written import read_written
-from tests.emulated_usb.outside import alone
 from tests.unit.sensors.lit_room import LitRoom, LitSensor
 from tests.unit.sensors.made_system import made_system
 from tests.unit.simulation.true_light import TrueLight
@@ -249,7 +248,6 @@ def test_projectors_are_measured_said_and_kept(
     assert "kinect_2 beside kinect_1: without depth 5.0 → 15.0 %" in text
 
 
-@alone  # simulated sensors give their pictures by the clock
 def test_projectors_of_a_simulated_rig_are_found_as_they_are(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

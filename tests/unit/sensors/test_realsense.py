@@ -9,10 +9,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.emulated_usb.outside import alone
-
-pytestmark = alone  # the SDK's recorder and player keep their own time
-
 CHECKS = ("contract", "bit_exact", "units", "registration", "absent")
 LONGEST_S = 300.0
 
