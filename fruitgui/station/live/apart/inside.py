@@ -187,6 +187,7 @@ class Inside:
             self._end(self._line.stop(max(stop.until_s - time.monotonic(), 0.0)))
 
     def _end(self, done: bool) -> None:
+        self._told_s = 0.0  # how it ended is told, however shortly after the last word
         self._tell()
         self._voice.say(Ended(done))
 
