@@ -13,7 +13,7 @@ from fruitgui.tracking.belt import BeltMotion
 from fruitgui.tracking.field import FieldOfView
 from fruitgui.tracking.gap import GAP_S, ON_SHARE, PLACE_STD_M, Gap
 from fruitgui.tracking.measured import Measured, look_distance, variances
-from fruitgui.tracking.voting import CommonShift, common_shift
+from fruitgui.tracking.voting import ALIKE, CommonShift, common_shift
 
 FASTEST_M_S = 1.2
 """No belt that people load by hand runs faster."""
@@ -33,9 +33,6 @@ SAME_PLACE_STD_M = 0.009
 PLACE_FLOOR_M = 0.003
 """Two sensors' centres of one fruit differ by some millimetres, and all of one capture's alike."""
 
-
-ALIKE = 0.02
-"""Least likeness of two views of one fruit."""
 
 _EYE = np.eye(2)
 

@@ -27,6 +27,7 @@ INSIDE_M = 0.05
 """So far inside of a sensor's field a fruit is seen whole."""
 
 SAME_STD = 3.0
+"""A view so many standard deviations from where a fruit should be is that fruit."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,6 +9,9 @@ import numpy as np
 
 from fruitgui.frame import F64, Bools, Ints
 
+ALIKE = 0.02
+"""Least likeness of two views of one fruit."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CommonShift:
@@ -40,7 +43,7 @@ def common_shift(
         std_m: (n, m) how far view and track of one fruit differ, one standard deviation per axis.
         bonus: prior votes (k,) for residuals (k, 2) as the shift; none where left out.
     """
-    track, view = np.nonzero(admissible & (likeness > 0.02))
+    track, view = np.nonzero(admissible & (likeness > ALIKE))
     if not len(track):
         return None
     order = np.argsort(view, kind="stable")
