@@ -3,7 +3,8 @@
 The last pictures of each time tell what steady light gives, and how much one picture differs from the next by itself;
 the light has settled with the first picture from which on all are like that. It had settled somewhere between that
 picture and the one before, so that picture's time is an upper bound. What is to be waited for is the longest of all
-times, and half a picture's period more: the next time falls differently between two pictures.
+times, and half a picture's period more: the next time falls differently between two pictures. A time whose first
+pictures were missed says little of when that was, and does not count.
 """
 
 from __future__ import annotations
@@ -22,6 +23,9 @@ LEAST_PICTURES = 15
 
 TAIL = 1 / 3
 """Part of the pictures that counts as steady; a light that settles only there was not seen to be steady."""
+
+MISSED_PICTURES = 1.5
+"""Where a time's first picture comes so many later than that of another one, some before it were missed."""
 
 STRAY_AFTER = 5
 """One picture that is unlike the others so many pictures after the last such is a hand that passes, not the light."""
@@ -51,7 +55,7 @@ class Settled:
     Attributes:
         settle_s, discard_frames: what is to be waited for, both.
         steady_s: when it was steady, the latest of all times.
-        trials: how often it was switched on.
+        trials: how often it was switched on and seen from then on.
         steady: what its steady light gives.
     """
 
@@ -68,7 +72,7 @@ def settling_of(trials: Sequence[Sequence[Glimpse]]) -> Settled | Refusal:
     Args:
         trials: for each time that it was switched on, its pictures in order; nobody else shone.
     """
-    whole = [list(trial) for trial in trials if len(trial) >= LEAST_PICTURES]
+    whole = whole_of(trials)
     if len(whole) < LEAST_TRIALS:
         return Refusal.TOO_FEW
     tails = [trial[-round(TAIL * len(trial)) :] for trial in whole]
@@ -86,9 +90,21 @@ def settling_of(trials: Sequence[Sequence[Glimpse]]) -> Settled | Refusal:
         return Refusal.UNSTEADY
     pictures = [trial[first] for first, trial in zip(firsts, whole, strict=True)]
     steady_s = max(one.since_s for one in pictures)
-    period_s = float(np.median(np.concatenate([np.diff([one.since_s for one in trial]) for trial in whole])))
     discard = max(one.frames for one in pictures)
-    return Settled(steady_s + 0.5 * period_s, discard, steady_s, len(whole), steady)
+    return Settled(steady_s + 0.5 * _period_s(whole), discard, steady_s, len(whole), steady)
+
+
+def whole_of(trials: Sequence[Sequence[Glimpse]]) -> list[list[Glimpse]]:
+    """Return the times that have pictures enough and of which none at their beginning was missed."""
+    long = [list(trial) for trial in trials if len(trial) >= LEAST_PICTURES]
+    if not long:
+        return []
+    latest_s = min(trial[0].since_s for trial in long) + MISSED_PICTURES * _period_s(long)
+    return [trial for trial in long if trial[0].since_s <= latest_s]
+
+
+def _period_s(trials: Sequence[Sequence[Glimpse]]) -> float:
+    return float(np.median(np.concatenate([np.diff([one.since_s for one in trial]) for trial in trials])))
 
 
 def _still_changes(tails: Sequence[Sequence[Glimpse]], holes_std: float) -> bool:

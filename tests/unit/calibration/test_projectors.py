@@ -75,6 +75,17 @@ def test_a_hand_that_passes_once_is_not_the_light() -> None:
     assert found.steady_s < 0.15
 
 
+def test_a_time_whose_first_pictures_were_missed_does_not_count() -> None:
+    rng = np.random.default_rng(5)
+    trials = [trial(rng, settles_s=0.1) for _ in range(4)]
+    trials[0] = trials[0][8:]
+    found = settling_of(trials)
+    assert isinstance(found, Settled)
+    assert found.steady_s < 0.15
+    assert found.trials == 3
+    assert settling_of(trials[:3]) is Refusal.TOO_FEW
+
+
 def test_what_cannot_be_told_is_refused() -> None:
     rng = np.random.default_rng(3)
     good = [trial(rng, settles_s=0.1) for _ in range(4)]

@@ -71,6 +71,20 @@ def test_settling_and_interference_of_a_rig_are_found_and_turns_go_on_as_before(
         assert plan.settling("kinect_1").settle_s == kept.settlings["S-kinect_1"].settle_s
 
 
+@pytest.mark.usefixtures("quick")
+def test_a_time_whose_first_pictures_are_missed_is_tried_again() -> None:
+    room = LitRoom()
+    sensors = rig(2, room)
+    with running(*sensors) as feed:
+        sensors[0].damaged.set()
+        threading.Timer(0.6, sensors[0].damaged.clear).start()
+        tried = try_projectors(feed, WHEN)
+    found = tried.alone["kinect_1"]
+    assert isinstance(found, Settled)
+    assert found.trials == 3
+    assert found.steady_s < 0.35
+
+
 def test_a_light_that_is_never_steady_is_said_and_its_pairs_are_not_tried() -> None:
     room = LitRoom()
     slow, quick = LitSensor("slow", room, settle_s=30.0), LitSensor("quick", room)
