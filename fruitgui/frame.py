@@ -15,9 +15,6 @@ F64 = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Ints = NDArray[np.intp]
 
-NO_DEPTH = 0
-"""Depth value of a pixel without a reading."""
-
 
 @dataclass(frozen=True, slots=True)
 class Intrinsics:

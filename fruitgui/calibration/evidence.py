@@ -68,7 +68,7 @@ class Testimony:
         met, pierced: (K,) points of each thing that the other sensor sees, or looks through.
         points: (K,) all points of each thing.
         color_gap: (K, 2) difference of chroma where they meet; NaN where unknown.
-        pierced_cells, met_cells: patches of belt, rail and surroundings that the other looks through, or sees.
+        pierced_cells: patches of belt, rail and surroundings that the other looks through.
     """
 
     met: F64
@@ -76,7 +76,6 @@ class Testimony:
     points: F64
     color_gap: F64
     pierced_cells: int
-    met_cells: int
 
     @property
     def judged(self) -> Bools:
@@ -107,14 +106,12 @@ def testimony(source: Sight, target: Sight, shift: Shift) -> Testimony:
     count = relief.things
     met: F64 = np.bincount(relief.thing, (verdict == MET).astype(np.float64), count).astype(np.float64)
     pierced: F64 = np.bincount(relief.thing, (verdict == PIERCED).astype(np.float64), count).astype(np.float64)
-    cells = _background_cells(relief.background_m, target.judge(shift.apply(relief.background_m))[0])
     return Testimony(
         met=met,
         pierced=pierced,
         points=np.bincount(relief.thing, minlength=count).astype(np.float64),
         color_gap=_color_gap(relief, target, verdict == MET, v, u, count),
-        pierced_cells=cells[0],
-        met_cells=cells[1],
+        pierced_cells=_pierced_cells(relief.background_m, target.judge(shift.apply(relief.background_m))[0]),
     )
 
 
@@ -128,18 +125,16 @@ def _color_gap(relief: Relief, target: Sight, met: Bools, v: Ints, u: Ints, coun
     return np.where(n[:, None] >= 15, sums / np.maximum(n, 1)[:, None], np.nan)
 
 
-def _background_cells(points_m: F64, verdict: Ints) -> tuple[int, int]:
-    """Return how many patches of surroundings are looked through, and how many are seen."""
+def _pierced_cells(points_m: F64, verdict: Ints) -> int:
+    """Return how many patches of surroundings (of points (N, 3)) are looked through."""
     telling = (verdict == MET) | (verdict == PIERCED)
     if not telling.any():
-        return 0, 0
+        return 0
     cells = np.floor(points_m[telling, :2] / BACKGROUND_CELL_M).astype(int)
     _, name = np.unique(cells, axis=0, return_inverse=True)
     total = np.bincount(name.ravel())
     pierced = np.bincount(name.ravel(), verdict[telling] == PIERCED)
-    sound = total >= 3
-    through = sound & (pierced > 0.7 * total)
-    return int(through.sum()), int((sound & ~through).sum())
+    return int(np.count_nonzero((total >= 3) & (pierced > 0.7 * total)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

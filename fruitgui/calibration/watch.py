@@ -16,7 +16,6 @@ from fruitgui.calibration import planes
 from fruitgui.calibration.still import Still, average
 from fruitgui.frame import F64, Bools, Frame
 from fruitgui.geometry.plane import Plane, Surface
-from fruitgui.geometry.rig import Rig
 
 ALARM_SIGMA = 5.0
 PLANE_FLOOR_RAD, PLANE_FLOOR_M = float(np.radians(0.12)), 0.0015
@@ -123,10 +122,3 @@ def fruit_drift(gaps_m: F64, covariances_m2: F64) -> FruitDrift | None:
     std = 1.2533 * max(float(expected), observed) / np.sqrt(len(gaps_m))
     stale = bool(np.linalg.norm(offset) > FRUIT_FLOOR_M + ALARM_SIGMA * std)
     return FruitDrift((float(offset[0]), float(offset[1]), float(offset[2])), float(std), len(gaps_m), stale)
-
-
-def plane_gap_m(rig: Rig, sensor: str) -> float:
-    """Return how far apart (rms, m) a sensor's belt plane and the reference's are over the sensor's footprint."""
-    mount = rig.mounts[sensor]
-    corners = mount.pose.apply(mount.footprint_m())
-    return float(np.sqrt(np.mean(rig.belt().height_m(corners) ** 2))) if len(corners) else 0.0

@@ -187,4 +187,4 @@ def decide(kinds: tuple[str, ...], scores: Scores, weighing: Weighing, novelty: 
     probabilities = {kind: float((1.0 - unknown) * np.exp(log)) for kind, log in zip(kinds, logs, strict=True)}
     probabilities[UNKNOWN] = unknown
     kind = UNKNOWN if score > 1.0 else kinds[best]
-    return KindVote(kind, probabilities[kind], probabilities, score)
+    return KindVote(kind, probabilities[kind], probabilities)

@@ -96,10 +96,8 @@ class KindVote:
         kind: a trained kind, or `unknown`.
         probability: of that kind, 0–1.
         probabilities: of every trained kind and of `unknown`; they add up to one.
-        unknown_score: how far the fruit is from the trained kinds; 1 is the threshold, more is unknown.
     """
 
     kind: str
     probability: float
     probabilities: Mapping[str, float]
-    unknown_score: float

@@ -53,7 +53,7 @@ class PaperModel:
         mean = np.exp(self.network.log_probabilities(rows)).mean(axis=0)
         best = int(mean.argmax())
         probabilities = dict(zip(self.kinds, mean.tolist(), strict=True)) | {UNKNOWN: 0.0}
-        return KindVote(self.kinds[best], float(mean[best]), probabilities, 0.0)
+        return KindVote(self.kinds[best], float(mean[best]), probabilities)
 
 
 def train_paper(

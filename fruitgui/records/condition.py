@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Literal
 
 from fruitgui.errors import WorldError
-from fruitgui.progress import Cancelled, never_cancelled, stop_if
+from fruitgui.progress import Cancelled, stop_if
 from fruitgui.records.migrating import NEWER, PICTURES, RECORDS, Schema, opened, refuse_newer, version_of
 from fruitgui.records.told import DAMAGED, damaged, told
 from fruitgui.station import kept_file
@@ -61,29 +61,17 @@ class StoreCondition:
 
 def glance(folder: Path) -> StoreCondition:
     """Look at the databases of a workspace for a moment; nothing is changed, nothing raised."""
-    return StoreCondition(*(_condition(folder / schema.file, schema, _glanced) for schema in (RECORDS, PICTURES)))
+    return StoreCondition(*(_condition(folder / schema.file, schema) for schema in (RECORDS, PICTURES)))
 
 
-def look_closely(folder: Path, cancelled: Cancelled = never_cancelled) -> StoreCondition:
-    """Go through the databases of a workspace from end to end; takes some seconds for each gigabyte.
-
-    Raises:
-        CancelledByUserError: a person stopped it.
-    """
-
-    def whole(path: Path) -> None:
-        check_whole(path, cancelled)
-
-    return StoreCondition(*(_condition(folder / schema.file, schema, whole) for schema in (RECORDS, PICTURES)))
-
-
-def _condition(path: Path, schema: Schema, check: Callable[[Path], None]) -> FileCondition:
+def _condition(path: Path, schema: Schema) -> FileCondition:
     try:
         refuse_newer(path, schema)
         found = version_of(path)
         if found is None:
             return FileCondition(path, "missing")
-        check(path)
+        until_s = time.monotonic() + GLANCE_S
+        _check(path, lambda: time.monotonic() > until_s)
     except WorldError as error:
         return FileCondition(path, _BAD.get(error.code, "unreadable"), error)
     return FileCondition(path, "ok" if found == schema.version else "older")
@@ -92,13 +80,8 @@ def _condition(path: Path, schema: Schema, check: Callable[[Path], None]) -> Fil
 _BAD: dict[str, State] = {NEWER: "newer", DAMAGED: "damaged"}
 
 
-def _glanced(path: Path) -> None:
-    until_s = time.monotonic() + GLANCE_S
-    _check(path, lambda: time.monotonic() > until_s)
-
-
-def check_whole(path: Path, cancelled: Cancelled = never_cancelled) -> None:
-    """Go through a database from end to end.
+def check_whole(path: Path, cancelled: Cancelled) -> None:
+    """Go through a database from end to end; takes some seconds for each gigabyte.
 
     Raises:
         WorldError: it is damaged, or cannot be read.

@@ -136,17 +136,6 @@ class Lots:
                 end_spells(session, lot, row.ended_s)
             return lot_of(session, row)
 
-    def describe(self, lot: int, name: str, grower: str, note: str) -> Lot:
-        """Change what people call a lot.
-
-        Raises:
-            InputError: no name is left, or there is no such lot.
-        """
-        with self._database.writing() as session:
-            row = lot_row(session, lot)
-            row.name, row.grower, row.note = _name(name), grower.strip(), note
-            return lot_of(session, row)
-
     def station_text(self, lot: int) -> str | None:
         """Return the station's file as it was when the lot started."""
         wanted = (

@@ -38,7 +38,7 @@ class KindTotal:
         fruit: how many.
         measured, weighed: of these, how many have a volume, a mass.
         volume, mass: sums over those, m³ and kg, see `SHARING`.
-        volume_spread_m3, mass_spread_kg: standard deviation between fruit; NaN below two.
+        volume_spread_m3: standard deviation between fruit; NaN below two.
     """
 
     kind: str
@@ -48,7 +48,6 @@ class KindTotal:
     volume_spread_m3: float
     weighed: int
     mass: SharedSum
-    mass_spread_kg: float
 
     @property
     def volume_m3(self) -> Quantity:
@@ -64,11 +63,6 @@ class KindTotal:
     def mean_volume_m3(self) -> Quantity | None:
         """Mean of the measured fruit, and how well the measurements tell it."""
         return self.volume.mean(self.measured)
-
-    @property
-    def mean_mass_kg(self) -> Quantity | None:
-        """Mean of the weighed fruit, and how well the measurements tell it."""
-        return self.mass.mean(self.weighed)
 
 
 def add(session: Session, rows: Collection[FruitRow]) -> None:
@@ -128,7 +122,6 @@ def _total(row: TotalRow) -> KindTotal:
         volume_spread_m3=_spread(row.measured, row.volume_m3, row.volume_square_m6),
         weighed=row.weighed,
         mass=SharedSum(row.mass_kg, row.mass_variance_kg2, row.mass_shared_kg, row.mass_shared_square_kg2),
-        mass_spread_kg=_spread(row.weighed, row.mass_kg, row.mass_square_kg2),
     )
 
 

@@ -49,7 +49,6 @@ class SharedStream:
         self._running: set[str] = set()
         self._changed = threading.Condition()
         self._drawing = False
-        self._broken: WorldError | None = None
         self._pending: Frame | None = None
         self._over = False
 

@@ -13,11 +13,6 @@ from fruitgui.simulation.light import linear
 from fruitgui.simulation.mesh import Mesh
 
 
-def make_foreign(kind: str, rng: Generator) -> Mesh:
-    """Return one foreign object of a kind of `FOREIGN`, centred on its centre of volume."""
-    return FOREIGN[kind](rng).centred()
-
-
 def hand(rng: Generator) -> Mesh:
     """Return a flat hand with five spread fingers and a stub of the forearm."""
     azimuth, polar, triangles = _globe(240, 48)

@@ -1,4 +1,4 @@
-"""Labels as an operator would make them, and the truth as a file, for training and evaluating."""
+"""Labels as an operator would make them, for training and evaluating."""
 
 from __future__ import annotations
 
@@ -6,12 +6,11 @@ import csv
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.random import Generator
 
-from fruitgui.files import write_json, written_whole
+from fruitgui.files import written_whole
 from fruitgui.frame import Bools
 from fruitgui.geometry.pose import Pose
 from fruitgui.simulation.simulation import Capture, Simulation
@@ -96,72 +95,6 @@ def write_labels(path: Path, rows: Sequence[TrueLabel]) -> None:
             volume = "" if row.volume_ml is None else f"{row.volume_ml:.2f}"
             place = (f"{row.u_px:.1f}", f"{row.v_px:.1f}")
             writer.writerow((row.sensor, f"{row.time_s:.9f}", *place, row.kind, volume, row.fruit))
-
-
-def write_truth(path: Path, sim: Simulation, every_s: float = 0.5) -> None:
-    """Write what is true of a scene as JSON (`fruitgui.truth/1`): poses, surfaces, fruit and their paths.
-
-    Raises:
-        WorldError: it cannot be written.
-    """
-    truth = sim.truth
-    last_s = sim.captures[-1].time_s if sim.captures else 0.0
-    times_s = np.arange(0.0, last_s + every_s, every_s)
-    value = {
-        "schema": "fruitgui.truth/1",
-        "reference_sensor": sim.sensors[0],
-        "lux": sim.scene.light.lux,
-        "sensors": {sensor: _sensor_value(sim, sensor) for sensor in sim.sensors},
-        "fruit": [
-            {
-                "id": thing.fruit_id,
-                "kind": thing.kind,
-                "volume_ml": thing.volume_m3 * 1e6,
-                "length_mm": thing.length_m * 1e3,
-                "diameter_mm": thing.diameter_m * 1e3,
-                "perimeter_mm": thing.perimeter_m * 1e3,
-                "foreign": thing.foreign,
-                "touching": thing.touching,
-                "path": [
-                    {"time_s": float(t), "position_m": truth.position_m(thing.fruit_id, t).tolist()} for t in times_s
-                ],
-            }
-            for thing in truth.fruit
-        ],
-    }
-    write_json(path, value)
-
-
-def write_poses(path: Path, sim: Simulation) -> None:
-    """Write a poses file: for each frame the pose of its sensor's colour optical frame in the world.
-
-    Raises:
-        WorldError: it cannot be written.
-    """
-    from scipy.spatial.transform import Rotation
-
-    with written_whole(path) as beside, beside.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(("time_s", "sensor", "x_m", "y_m", "z_m", "qx", "qy", "qz", "qw"))
-        for capture in sim.captures:
-            device = sim.device(capture.sensor)
-            turn = Rotation.from_matrix(device.pose.rotation).as_quat()
-            numbers = (*device.pose.translation_m.tolist(), *turn.tolist())
-            stamp_s = capture.time_s - device.clock_offset_s
-            writer.writerow((f"{stamp_s:.9f}", capture.sensor, *(f"{number:.9f}" for number in numbers)))
-
-
-def _sensor_value(sim: Simulation, sensor: str) -> dict[str, Any]:
-    pose, surface, device = sim.truth.poses[sensor], sim.truth.surfaces[sensor], sim.device(sensor)
-    return {
-        "serial": device.serial,
-        "pose": {"rotation": pose.rotation.tolist(), "translation_m": pose.translation_m.tolist()},
-        "surface": {"normal": surface.plane.normal.tolist(), "offset_m": surface.plane.offset_m},
-        "clock_offset_s": device.clock_offset_s,
-        "scale_error": device.depth_model.scale_error,
-        "offset_m": device.depth_model.offset_m,
-        "fattening_px": device.depth_model.fattening_px,
-    }
 
 
 def _wanted(kind: str, foreign: bool, kinds: Sequence[str] | None) -> bool:

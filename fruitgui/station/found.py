@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import logging
 import threading
-import time
 
 from fruitgui.sensors.feed import Feed, Running
 from fruitgui.station.sources import DevicesSource, Make, Source, Sources
-
-HANGS_AFTER_S = 5.0
 
 log = logging.getLogger(__name__)
 
@@ -23,7 +20,7 @@ class FoundWatch:
     def __init__(self, sources: Sources) -> None:
         self._makes = tuple(sources.makes)
         self._answers: dict[str, tuple[Source, ...]] = {}
-        self._asked_s: dict[str, float] = {}
+        self._asked: set[str] = set()
         self._lock = threading.Lock()
 
     def ask(self) -> None:
@@ -48,20 +45,13 @@ class FoundWatch:
     @property
     def asking(self) -> bool:
         """Whether an answer is still to come."""
-        return bool(self._asked_s)
-
-    @property
-    def hanging(self) -> tuple[str, ...]:
-        """The makes that should have answered long ago."""
-        now_s = time.monotonic()
-        with self._lock:
-            return tuple(kind for kind, asked_s in self._asked_s.items() if now_s - asked_s > HANGS_AFTER_S)
+        return bool(self._asked)
 
     def _begins(self, kind: str) -> bool:
         with self._lock:
-            if kind in self._asked_s:
+            if kind in self._asked:
                 return False
-            self._asked_s[kind] = time.monotonic()
+            self._asked.add(kind)
             return True
 
     def _ask(self, make: Make) -> None:
@@ -72,7 +62,7 @@ class FoundWatch:
             self._answers[make.kind] = ()
         finally:
             with self._lock:
-                self._asked_s.pop(make.kind, None)
+                self._asked.discard(make.kind)
 
 
 class Returning:

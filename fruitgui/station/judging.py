@@ -32,7 +32,7 @@ LEAST_CLEAN_VIEWS = 3
 MOSTLY = 0.5
 """Part of its whole views that must show a fruit alone if it is to count as alone."""
 
-NOBODY_SAYS = KindVote(UNKNOWN, 1.0, {}, float("inf"))
+NOBODY_SAYS = KindVote(UNKNOWN, 1.0, {})
 """The vote on every fruit where there is no model."""
 
 PaperVolume = Callable[[Track], float]

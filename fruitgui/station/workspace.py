@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TypeVar
@@ -48,7 +48,6 @@ class Workspace:
     Attributes:
         folder: where everything lies.
         settings, connection, station, projectors, marks, depths, kinds: its small files.
-        records_path, pictures_path: the databases, which the records room makes.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -60,8 +59,6 @@ class Workspace:
         self.depths = _written(folder / "depths.json", DeviceDepths)
         self.kinds = _written(folder / KINDS, KindNotes)
         self.station: KeptFile[Station] = KeptFile(folder / "station.json", read_station, write_station)
-        self.records_path = folder / "records.sqlite"
-        self.pictures_path = folder / "pictures.sqlite"
 
     def models(self) -> list[ModelFile]:
         """Return the models that are there, the oldest first."""
@@ -79,17 +76,6 @@ class Workspace:
         file = ModelFile(number, folder / f"model-{number:04d}.fruit")
         write_model(file.path, model)
         return file
-
-    def use_model(self, file: ModelFile | None) -> Station:
-        """Let the station use a model, or none; return the station.
-
-        Raises:
-            InputError: there is no station that can be read.
-            WorldError: it cannot be written.
-        """
-        station = replace(read_station(self.station.path), model=None if file is None else file.name)
-        self.station.save(station)
-        return station
 
     def model(self, station: Station) -> Kept[Model]:
         """Return the model that a station names, with the densities that a person typed.

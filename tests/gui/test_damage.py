@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -73,7 +74,6 @@ def press(application: Application, words: str) -> None:
 def with_models(folder: Path, *good: bool) -> Workspace:
     """Return a line with models of which the last is in use; bad ones are no models at all."""
     workspace = open_workspace(folder)
-    workspace.station.save(_station())
     for one in good:
         file = workspace.add_model(tiny_model())
         if not one:
@@ -81,7 +81,7 @@ def with_models(folder: Path, *good: bool) -> Workspace:
     with open_store(workspace.folder) as store:
         for file in workspace.models():
             store.models.use(store.models.add(file.name, {}, {}))
-    workspace.use_model(workspace.models()[-1])
+    workspace.station.save(replace(_station(), model=workspace.models()[-1].name))
     return workspace
 
 

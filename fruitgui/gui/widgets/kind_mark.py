@@ -92,7 +92,6 @@ class KindMarkView(QWidget):
     def __init__(self, mark: KindMark, size_px: int = 28, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._mark = mark
-        self._size_px = size_px
         self.setFixedSize(QSize(size_px, size_px))
         self.setAccessibleName(mark.kind)
 

@@ -68,7 +68,6 @@ class RecordingWriter:
         from fruitgui.sensors.recordings.mcap_output import McapOutput
 
         self.path = Path(path)
-        self.frames_written = 0
         self._messages = Messages()
         self._hands = hands or Here()
         self._batch: list[Stamped] = []
@@ -102,12 +101,6 @@ class RecordingWriter:
         counts = self._output.counts
         return Counter({sensor: counts[channel] for (sensor, part), channel in self._channels.items() if part == DEPTH})
 
-    @property
-    def seconds_stored(self) -> float:
-        """From the first frame in the file to the last, by the times at which they came."""
-        first_ns, last_ns = self._output.times_ns
-        return (last_ns - first_ns) * 1e-9
-
     def identify(self, infos: Iterable[SensorInfo]) -> None:
         """Say anew who the sensors are: more may be known once they run. Without effect once a frame is stored."""
         self._infos |= {info.sensor: info for info in infos if info.sensor in self._infos}
@@ -133,7 +126,6 @@ class RecordingWriter:
         if not self._batch:
             self._batch_began_s = time.monotonic()
         self._batch.append(Stamped(frame, stamp, max(stamp if log_time_ns is None else log_time_ns, 0)))
-        self.frames_written += 1
         self.flush()
 
     def flush(self) -> None:

@@ -9,7 +9,7 @@ from fruitgui.classification.evidence import KindVote
 
 def _vote(**shares: float) -> KindVote:
     kind = max(shares, key=lambda one: shares[one])
-    return KindVote(kind, shares[kind], shares, 0.0)
+    return KindVote(kind, shares[kind], shares)
 
 
 def test_uncertainty_grows_from_one_sure_kind_to_all_alike() -> None:

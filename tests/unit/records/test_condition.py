@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from fruitgui.errors import CancelledByUserError, WorldError
-from fruitgui.records.condition import glance, look_closely, set_aside
+from fruitgui.records.condition import check_whole, glance, set_aside
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.migrating import PICTURES, RECORDS
 from fruitgui.records.store import open_store
@@ -23,8 +23,8 @@ def test_an_empty_folder_and_a_sound_store_are_usable(tmp_path: Path) -> None:
     assert [one.state for one in (glance(tmp_path).records, glance(tmp_path).pictures)] == ["missing", "missing"]
     assert glance(tmp_path).usable
     _work(tmp_path)
-    for condition in (glance(tmp_path), look_closely(tmp_path)):
-        assert (condition.records.state, condition.pictures.state, condition.wrong) == ("ok", "ok", ())
+    condition = glance(tmp_path)
+    assert (condition.records.state, condition.pictures.state, condition.wrong) == ("ok", "ok", ())
 
 
 @pytest.mark.parametrize("file", [RECORDS.file, PICTURES.file])
@@ -74,7 +74,7 @@ def test_damage_that_shows_only_while_working_is_told(tmp_path: Path) -> None:
         assert caught.value.code == "store_damaged"
 
 
-def test_a_close_look_can_be_stopped(tmp_path: Path) -> None:
+def test_going_through_all_of_a_database_can_be_stopped(tmp_path: Path) -> None:
     _work(tmp_path)
     with pytest.raises(CancelledByUserError):
-        look_closely(tmp_path, lambda: True)
+        check_whole(tmp_path / RECORDS.file, lambda: True)

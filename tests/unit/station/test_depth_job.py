@@ -20,7 +20,8 @@ from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.recordings.writer import RecordingWriter
 from fruitgui.simulation.depth_bench import depth_bench
 from fruitgui.simulation.kinect import DepthModel
-from fruitgui.simulation.simulated import FreeClock, SimulatedSensor, sensor_info
+from fruitgui.simulation.looped import LoopedSensor
+from fruitgui.simulation.simulated import sensor_info
 from fruitgui.station.depth_job import FRAMES, measure_depth, take_still
 from fruitgui.station.depth_watch import Aim, DepthWatch, Looked, share_seen, sight_of
 from fruitgui.station.depths import DeviceDepths, device_depth
@@ -37,7 +38,9 @@ pytestmark = pytest.mark.usefixtures("no_leaked_threads")
 
 @pytest.fixture
 def feed() -> Iterator[Feed]:
-    made = Feed([SimulatedSensor(depth_bench(1, RIG, BIASED, captures=4 * FRAMES), "kinect_1", FreeClock())])
+    scene = depth_bench(1, RIG, BIASED, captures=6)
+    info = replace(sensor_info(scene, "kinect_1"), rate_hz=30.0)
+    made = Feed([LoopedSensor(info, list(scene.frames()))])
     yield made
     made.stop()
 

@@ -103,8 +103,8 @@ class Counted:
 
 
 NO_VIEW = Evidence(np.zeros((1, 1), np.float32), np.zeros(1))
-LEMON = KindVote("lemon", 0.97, {"lemon": 0.97, UNKNOWN: 0.03}, 0.4)
-STRANGE = KindVote(UNKNOWN, 1.0, {"lemon": 0.0, UNKNOWN: 1.0}, 7.0)
+LEMON = KindVote("lemon", 0.97, {"lemon": 0.97, UNKNOWN: 0.03})
+STRANGE = KindVote(UNKNOWN, 1.0, {"lemon": 0.0, UNKNOWN: 1.0})
 
 
 def test_a_lot_that_goes_wrong_is_said_once() -> None:

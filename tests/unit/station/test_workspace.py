@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -114,8 +115,7 @@ def test_two_damaged_files_lie_side_by_side(workspace: Workspace) -> None:
 def test_a_damaged_model_is_set_aside(workspace: Workspace) -> None:
     (workspace.folder / "models").mkdir()
     (workspace.folder / "models" / "model-0007.fruit").write_text("no zip")
-    workspace.station.save(station())
-    using = workspace.use_model(workspace.models()[0])
+    using = replace(station(), model=workspace.models()[0].name)
     assert using.model == "models/model-0007.fruit"
     damage = workspace.model(using).damage
     assert damage is not None

@@ -29,13 +29,11 @@ class PreparePanel(QWidget):
         self.advice, self.meter = Card(), Card()
         self._rules = [label("") for _ in range(3)]
         self.sentence, self._legend = label("", "strong"), label("", "small")
-        self._prospect: Prospect | None = None
         self._lay_out()
         self._say_words()
 
     def show_prospect(self, prospect: Prospect) -> None:
         """Show what calibrating would have to work with."""
-        self._prospect = prospect
         self.graph.show_graph(prospect.nodes, prospect.links)
         self.sentence.setText(prospect.sentence)
         set_health(self.sentence, prospect.health)

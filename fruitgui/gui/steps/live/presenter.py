@@ -20,7 +20,7 @@ from fruitgui.gui.drawn import (
     MappedFruit,
 )
 from fruitgui.gui.kind_words import kind_name
-from fruitgui.gui.numbers import THIN, measured_text, number_text, percent_text
+from fruitgui.gui.numbers import measured_text, number_text, percent_text
 from fruitgui.gui.steps.live.tally import Histogram, KindSum, Tally
 from fruitgui.gui.theme.kinds import KindMark, Looks, kind_marks
 from fruitgui.gui.times import duration_text
@@ -173,8 +173,3 @@ def _kind_line(kind: str, total: KindSum, marks: Marks, per_minute: float) -> Ki
 def bars(histogram: Histogram | None, marks: Marks) -> list[Bars]:
     """Return a histogram's bars."""
     return [] if histogram is None else [Bars(marks.of(kind), counts) for kind, counts in histogram.counts.items()]
-
-
-def latency_text(state: LiveState) -> str:
-    """Return how far behind the line is."""
-    return f"{number_text(state.latency_s * 1e3, 0)}{THIN}ms"

@@ -25,8 +25,6 @@ NARROWEST_ML = 20.0
 STEP_ML = 0.25
 """Volumes are counted in steps of this, so that no more is kept of more fruit. Bins are whole steps wide."""
 
-LITRES_PER_M3 = 1e3
-
 
 @dataclass(slots=True)
 class KindSum:
