@@ -67,12 +67,6 @@ def measure(track: Track, rig: Rig) -> Size:
     return _with_ends(size, fit, evidence, track, rig)
 
 
-def fit_track(track: Track, rig: Rig) -> Fit | None:
-    """Return the closed surface through all views of a fruit, belt frame; None where there is none."""
-    fitted = _fitted(track, rig)
-    return None if fitted is None else fitted[1]
-
-
 def _fitted(track: Track, rig: Rig) -> tuple[Evidence, Fit] | None:
     """Return the surface and the views that it goes through: all of them, or those of one sensor that others deny."""
     evidence = gather(track, rig)

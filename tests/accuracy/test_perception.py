@@ -10,10 +10,10 @@ import pytest
 
 from fruitgui.frame import F64
 from fruitgui.perception import Perceiver
-from fruitgui.perception.comparison import SplitScore, compare_splitting
 from fruitgui.simulation.fruit import KINDS, MORE_KINDS
 from fruitgui.simulation.scenes import Conditions, still_scene
 from fruitgui.simulation.simulation import Simulation
+from tests.accuracy.splitting import SplitScore, compare_splitting
 
 pytestmark = pytest.mark.accuracy
 

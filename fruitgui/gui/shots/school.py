@@ -71,8 +71,3 @@ def enrolled(school_folder: Path, into: Path) -> Path:
 def large_class(fruit: int = 48) -> Simulation:
     """Return a line of the five usual kinds before two sensors."""
     return line_scene(11, fruit=fruit, speed_m_s=0.25)
-
-
-def small_class(fruit: int = 12) -> Simulation:
-    """Return a line of two kinds before one sensor, rendered in seconds."""
-    return line_scene(7, fruit=fruit, speed_m_s=0.3, layout="single", kinds=("lemon", "red_apple"), restless=0.0)

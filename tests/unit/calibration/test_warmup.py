@@ -12,8 +12,8 @@ from fruitgui.calibration.bare_belt import BeltPatch, first_patch, read_belt
 from fruitgui.calibration.light_drift import light_drift
 from fruitgui.calibration.warmup import Warmth, warmup
 from fruitgui.frame import F64, Frame
-from fruitgui.simulation.drift import Drift, drifted
 from fruitgui.simulation.scenes import still_scene
+from tests.unit.calibration.drift import Drift, drifted
 
 LOOK_S = 6.0
 DISTANCE_M = 1.0

@@ -9,7 +9,8 @@ from fruitgui.geometry.plane import Plane, Surface
 from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.measurement.evidence import gather
-from fruitgui.measurement.size import fit_track, measure
+from fruitgui.measurement.fit import fit_surface
+from fruitgui.measurement.size import measure
 from fruitgui.tracking.track import Track
 from tests.unit.measurement.solids import Solid, opposed_rig, track_of
 
@@ -126,8 +127,9 @@ def test_views_of_something_else_are_left_out() -> None:
     track, rig = track_of(solid, 5)
     other, _ = track_of(Solid((0.060, 0.045, 0.045)), 5)
     mixed = tuple(b if k % 8 == 3 else a for k, (a, b) in enumerate(zip(track.sightings, other.sightings, strict=True)))
-    fit = fit_track(replace(track, sightings=mixed), rig)
-    assert fit is not None
+    evidence = gather(replace(track, sightings=mixed), rig)
+    assert evidence is not None
+    fit = fit_surface(evidence)
     strange = np.array([k % 8 == 3 for k in range(len(mixed))])
     assert fit.view_weight[strange].max() < 0.5 * fit.view_weight[~strange].mean()
     assert measure(replace(track, sightings=mixed), rig).volume_m3.value == pytest.approx(solid.volume_m3, rel=0.1)

@@ -14,10 +14,10 @@ from fruitgui.calibration.warmup import Warmth
 from fruitgui.frame import Frame
 from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.sensor import SensorInfo
-from fruitgui.simulation.drift import Drift, drifted
 from fruitgui.simulation.scenes import still_scene
 from fruitgui.simulation.simulated import sensor_info
 from fruitgui.station.steadiness import LOOK_S, MISSED_LOOKS, SensorSteadiness, SteadinessWatch
+from tests.unit.calibration.drift import Drift, drifted
 
 
 @cache

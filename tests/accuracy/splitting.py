@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
@@ -15,9 +14,7 @@ from fruitgui.perception.paper import KMeansSplitter
 from fruitgui.perception.perceiver import Perceiver
 from fruitgui.perception.settings import PerceptionSettings
 from fruitgui.perception.view import FruitView
-
-if TYPE_CHECKING:
-    from fruitgui.simulation.simulation import Simulation
+from fruitgui.simulation.simulation import Simulation
 
 MOSTLY_SEEN = 0.6
 """Fruit of which less is seen by a sensor (the rest is hidden or out of the picture) need not be found by it."""
