@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
@@ -21,19 +21,18 @@ from fruitgui.gui.lot_jobs import (
     leaving,
     sensors_changed_told,
 )
+from fruitgui.gui.lot_notes import LotNotes
 from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.queries import Queries
-from fruitgui.gui.spell_notes import SpellNotes
 from fruitgui.gui.steps.live.tally import Tally
 from fruitgui.gui.tasks import Job, TaskRunner
 from fruitgui.gui.told import Words
-from fruitgui.gui.troubles import Troubles
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.restore import refuse_while_prepared
 from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
-from fruitgui.station.live import LineApart, LiveState, LiveWarning, Preview
+from fruitgui.station.live import LineApart, LiveState, Preview
 from fruitgui.station.noted import NotedSink
 
 T = TypeVar("T")
@@ -73,8 +72,7 @@ class Running(QObject):
         self._state: LiveState | None = None
         self._spells = Queries(self)
         self._spells.failed.connect(messages.error)
-        self._seen = SpellNotes(self._spells, store.spells)
-        self._troubles = Troubles(self._spells, store.spells)
+        self._notes = LotNotes(self._spells, store.spells)
         self._busy = self._stopping = self._closed = False
         self._made: Begun | None = None
         self.lot: Lot | None = None
@@ -173,8 +171,7 @@ class Running(QObject):
         self._closed = True
         line, self._line = self._line or (None if self._made is None else self._made.line), None
         self._tick.stop()
-        self._note_spells(None)
-        self._note_troubles(())
+        self._note(None)
         done = True if line is None else line.stop(CLOSE_S)
         return self._spells.finish() and done
 
@@ -205,8 +202,7 @@ class Running(QObject):
         self._connected.adopt(made.feed)
         self._line, self.lot, self.kinds = made.line, made.lot, made.kinds
         self._sink, self._aside = made.sink, made.aside
-        self._seen = SpellNotes(self._spells, self._store.spells)
-        self._troubles = Troubles(self._spells, self._store.spells)
+        self._notes = LotNotes(self._spells, self._store.spells)
         self.tally = Tally.of(made.totals)
         self._tick.start()
         self._look()
@@ -258,8 +254,7 @@ class Running(QObject):
         if self._line is not None:
             self._state = self._line.state
             self._watch_rig(self._state)
-            self._note_spells(None if self.paused else self._state)
-            self._note_troubles(self._state.warnings)
+            self._note(self._state)
         self._take_counted()
 
     def _take_counted(self) -> None:
@@ -274,14 +269,9 @@ class Running(QObject):
             self.moved = moved
             self.changed.emit()
 
-    def _note_spells(self, state: LiveState | None) -> None:
+    def _note(self, state: LiveState | None) -> None:
         if self.lot is not None:
-            self._seen.note(self.lot.key, state)
-
-    def _note_troubles(self, warnings: Sequence[LiveWarning]) -> None:
-        """Let the lot remember when the rig was moved and clocks leapt, but not what happens in a pause."""
-        if self.lot is not None:
-            (self._troubles.rest if self.paused else self._troubles.note)(self.lot.key, warnings)
+            self._notes.note(self.lot, state)
 
     def _sensors_changed(self) -> None:
         """Stop the line when its sensors are taken away; the lot stays open."""
@@ -290,7 +280,6 @@ class Running(QObject):
             return
         self._stopping = True
         self._tick.stop()
-        self._note_spells(None)
-        self._note_troubles(())
+        self._note(None)
         self._run(lambda: translate("Running", "Stopping the line"), leaving(self._store, line, lot), self._left)
         self._messages.say(Message(Level.BAD, sensors_changed_told, stays=True))

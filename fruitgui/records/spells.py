@@ -14,10 +14,14 @@ from fruitgui.records.database import Database
 from fruitgui.records.tables import LotRow, SpellRow
 from fruitgui.station.live.blind import Blind
 
-TroubleSort = Literal["moved", "clock_jumped", "mostly_unknown", "line_begun_again"]
-"""`moved`: sensors do not stand as they were calibrated. At one moment each: `clock_jumped`, their clocks leapt;
-`mostly_unknown`, most of the last fruit were unknown to the model; `line_begun_again`, the line broke off and went
-on."""
+MomentSort = Literal["clock_jumped", "mostly_unknown", "line_begun_again"]
+"""What happens at a moment, as the line's warnings name it: `clock_jumped`, clocks of sensors leapt; `mostly_unknown`,
+most of the last fruit were unknown to the model; `line_begun_again`, the line broke off and went on."""
+
+MOMENTS: tuple[MomentSort, ...] = get_args(MomentSort)
+
+TroubleSort = Literal["moved", MomentSort]
+"""`moved`: sensors do not stand as they were calibrated, for as long as that is so."""
 
 SpellSort = Literal["away", "sparse"]
 """`away`: sensors gave nothing. `sparse`: they gave too few pictures for the belt's speed."""
@@ -108,31 +112,12 @@ class Spells:
             if sensors:
                 session.add(_trouble_row(lot, "moved", sensors, now_s, None))
 
-    def note_jump(self, lot: int, sensors: tuple[str, ...]) -> None:
-        """Note that clocks of sensors leapt now.
+    def note_moment(self, lot: int, sort: MomentSort, sensors: tuple[str, ...] = ()) -> None:
+        """Note what happened now, and to which sensors, where it is about some.
 
         Raises:
             WorldError: it cannot be kept.
         """
-        self._note_moment(lot, "clock_jumped", sensors)
-
-    def note_unknown(self, lot: int) -> None:
-        """Note that by now most of the last fruit are unknown to the model.
-
-        Raises:
-            WorldError: it cannot be kept.
-        """
-        self._note_moment(lot, "mostly_unknown", ())
-
-    def note_broken_off(self, lot: int) -> None:
-        """Note that the line broke off now and went on.
-
-        Raises:
-            WorldError: it cannot be kept.
-        """
-        self._note_moment(lot, "line_begun_again", ())
-
-    def _note_moment(self, lot: int, sort: TroubleSort, sensors: tuple[str, ...]) -> None:
         with self._database.writing() as session:
             if _runs(session, lot):
                 now_s = self._now_s()

@@ -32,7 +32,7 @@ class LiveWarning:
     Attributes:
         code: a stable word: `calibration_stale`, `clock_put_right`, `clock_jumped`, `sensor_not_matched`,
             `frame_skipped`, `fruit_not_measured`, `fruit_not_counted`, `not_kept`, `part_blind`, `sensor_away`,
-            `may_be_blinded`, `not_drawn`, `not_watched`, `line_begun_again`, `line_lost`.
+            `may_be_blinded`, `not_drawn`, `not_watched`, `mostly_unknown`, `line_begun_again`, `line_lost`.
         text: in words.
         sensors: whom it concerns.
         count: how often it happened.

@@ -9,8 +9,7 @@ from fruitgui.geometry.plane import Plane, Surface
 from fruitgui.geometry.pose import Pose
 from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.measurement.evidence import gather
-from fruitgui.measurement.fit import fit_surface
-from fruitgui.measurement.size import measure
+from fruitgui.measurement.size import fit_surface, measure
 from fruitgui.tracking.track import Track
 from tests.unit.measurement.solids import Solid, opposed_rig, track_of
 

@@ -50,7 +50,7 @@ def test_a_moved_rig_and_clocks_that_leapt_are_kept_apart_from_absences(store: S
     clock.now_s += 10.0
     store.spells.note_moved(lot, ("kinect_1",))
     clock.now_s += 10.0
-    store.spells.note_jump(lot, ("kinect_2",))
+    store.spells.note_moment(lot, "clock_jumped", ("kinect_2",))
     store.spells.note_moved(lot, ("kinect_1",))  # said again: nothing new
     store.spells.note(lot, None)
     clock.now_s += 10.0
@@ -64,7 +64,7 @@ def test_a_moved_rig_and_clocks_that_leapt_are_kept_apart_from_absences(store: S
         ("moved", 30.0, 40.0, ("kinect_1", "kinect_2")),
     ]
     store.spells.note_moved(lot, ())
-    store.spells.note_jump(lot, ("kinect_2",))
+    store.spells.note_moment(lot, "clock_jumped", ("kinect_2",))
     assert len(store.lots.get(lot).troubles) == 3, "an ended lot is told nothing"
 
 
