@@ -15,7 +15,7 @@ class KindBook(QObject):
 
     Args:
         notes: as they were kept.
-        keep: keeps notes, and tells whether that worked.
+        keep: keeps notes; what could not be kept comes back through `take`.
 
     Attributes:
         changed: a density was typed, or taken away.
@@ -23,7 +23,7 @@ class KindBook(QObject):
 
     changed = Signal()
 
-    def __init__(self, notes: KindNotes, keep: Callable[[KindNotes], bool], parent: QObject | None = None) -> None:
+    def __init__(self, notes: KindNotes, keep: Callable[[KindNotes], None], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._notes = notes
         self._keep = keep
@@ -54,8 +54,9 @@ class KindBook(QObject):
         for kind, density_g_ml in densities_g_ml.items():
             if density_g_ml != notes.of(kind).density_g_ml:
                 notes = notes.with_density(kind, density_g_ml)
-        if notes != self._notes and self._keep(notes):
+        if notes != self._notes:
             self._notes = notes
+            self._keep(notes)
             self.changed.emit()
 
     def _kept(self) -> dict[str, KindMark]:

@@ -104,8 +104,8 @@ class Session(QObject):
         self._marks = self._kept(files.marks, Marks(), states)
         self._depths = self._kept(files.depths, DeviceDepths(), self.connection_changed, states)
         self._kinds = self._kept(files.kinds, KindNotes())
-        self.kinds = KindBook(self._kinds.value, self._keep_kinds, self)
-        self._kinds.changed.connect(self._take_kinds)
+        self.kinds = KindBook(self._kinds.value, self._kinds.put, self)
+        self._kinds.changed.connect(lambda: self.kinds.take(self._kinds.value))
         for changed in (self.connected.changed, self.station_changed, self.projectors_changed):
             changed.connect(self._arrange_turns)
         self.connected.changed.connect(self.states_changed)
@@ -284,13 +284,6 @@ class Session(QObject):
     def _line_plan(self, station: Station) -> LinePlan:
         model = model_reader(self.workspace, self._saving, station)
         return line_plan(station, model, self.connection, self.source)
-
-    def _keep_kinds(self, notes: KindNotes) -> bool:
-        self._kinds.put(notes)
-        return True
-
-    def _take_kinds(self) -> None:
-        self.kinds.take(self._kinds.value)
 
     def _kept(self, file: KeptFile[T], default: D, *told: SignalInstance) -> KeptValue[T, D]:
         """Return what a file holds, `default` where there is none; a damaged one is noted."""

@@ -20,8 +20,9 @@ from fruitgui.gui.widgets.cards import label, set_health
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.backup import Backup
 from fruitgui.records.condition import set_aside
-from fruitgui.records.restore import last_good_backup, restore
+from fruitgui.records.restore import restore
 from fruitgui.records.told import DAMAGED, FAILED
+from fruitgui.records.unpacking import last_good_backup
 
 T = TypeVar("T")
 

@@ -34,9 +34,9 @@ def test_letters_are_the_first_of_the_name_as_far_as_they_go() -> None:
 @given(st.lists(st.sampled_from("abcdefghijkl"), max_size=12), st.lists(st.sampled_from("abcdefghijkl"), max_size=12))
 def test_a_kind_keeps_its_mark_whatever_comes_or_goes(first: list[str], then: list[str]) -> None:
     kept: list[KindNotes] = []
-    book = KindBook(KindNotes(), lambda notes: kept.append(notes) is None)
+    book = KindBook(KindNotes(), kept.append)
     before = book.looks(first)
-    after = KindBook(kept[-1] if kept else KindNotes(), lambda _: True).looks(then)
+    after = KindBook(kept[-1] if kept else KindNotes(), kept.append).looks(then)
     assert {kind: after[kind] for kind in after if kind in before} == {
         kind: before[kind] for kind in after if kind in before
     }
@@ -45,24 +45,23 @@ def test_a_kind_keeps_its_mark_whatever_comes_or_goes(first: list[str], then: li
 
 def test_marks_are_kept_once_and_not_at_every_look() -> None:
     kept: list[KindNotes] = []
-    book = KindBook(KindNotes(), lambda notes: kept.append(notes) is None)
+    book = KindBook(KindNotes(), kept.append)
     assert book.looks(["lemon", "pear"])["pear"] == book.looks(["pear"])["pear"]
     book.looks([UNKNOWN])
     assert len(kept) == 1
 
 
-def test_a_typed_density_is_told_only_once_it_is_kept() -> None:
+def test_a_typed_density_is_told_once_and_again_where_it_could_not_be_kept() -> None:
     told: list[bool] = []
-    works = False
-    book = KindBook(KindNotes(), lambda _: works)
+    kept: list[KindNotes] = []
+    book = KindBook(KindNotes(), kept.append)
     book.changed.connect(lambda: told.append(True))
-    book.type_densities({"lemon": 0.97})
-    assert (book.densities_g_ml, told) == ({}, [])
-    works = True
     book.type_densities({"lemon": 0.97, "pear": None})
-    assert (book.densities_g_ml, told) == ({"lemon": 0.97}, [True])
     book.type_densities({"lemon": 0.97})
-    assert told == [True], "nothing new"
+    assert (book.densities_g_ml, told, len(kept)) == ({"lemon": 0.97}, [True], 1), "nothing new is neither"
+    book.take(KindNotes())
+    assert (book.densities_g_ml, told) == ({}, [True, True])
+    book.type_densities({"lemon": 0.97})
     book.type_densities({"lemon": None})
     assert book.densities_g_ml == {}
 

@@ -24,7 +24,7 @@ AWAY = Spell(10.0, 47.0, Blind(("kinect_1",), ((0.0, 0.2),), 0.6, 0.3))
 def _figures(kinds: int, spells: tuple[Spell, ...]) -> LotFigures:
     lot = Lot(1, "1184", "Fundo", "", "", "kinect_1", None, None, {}, (), 0.0, NOW_S, (), spells)
     volume, mass = SharedSum(1e-3, 1e-12, 1e-6, 1e-13), SharedSum(1.0, 1e-6, 1e-3, 1e-7)
-    totals = tuple(KindTotal(kind, 5, 5, volume, 1e-5, 5, mass, 0.1) for kind in KINDS[:kinds])
+    totals = tuple(KindTotal(kind, 5, 5, volume, 1e-5, 5, mass) for kind in KINDS[:kinds])
     return LotFigures(lot, totals, 0, 0, NOW_S)
 
 

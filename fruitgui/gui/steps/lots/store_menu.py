@@ -17,7 +17,8 @@ from fruitgui.gui.times import moment_text
 from fruitgui.gui.told import Told
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.backup import Backup, back_up, backup_path
-from fruitgui.records.restore import find_backups, forget_restore, is_prepared, prepare_restore
+from fruitgui.records.restore import forget_restore, is_prepared, prepare_restore
+from fruitgui.records.unpacking import find_backups
 
 
 class StoreMenu(QObject):
