@@ -23,8 +23,8 @@ from fruitgui.gui.shots.school import enrolled
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme, load_fonts
 from fruitgui.gui.told import Words
-from fruitgui.station.workspace import open_workspace
 from tests.gui.both_languages import BothLanguages
+from tests.gui.opened import session_on
 from tests.window.patience import qtbot
 
 __all__ = ["qtbot"]
@@ -49,21 +49,15 @@ def theme(qapp: QApplication) -> Theme:
 
 @pytest.fixture
 def session(qtbot: QtBot, tmp_path: Path) -> Iterator[Session]:
-    made = Session(open_workspace(tmp_path / "line"))
-    yield made
-    assert made.close(), "something did not end in time"
-    qtbot.waitUntil(lambda: not made.tasks.running)
-    made.deleteLater()
+    with session_on(qtbot, tmp_path / "line") as made:
+        yield made
 
 
 @pytest.fixture
 def taught(qtbot: QtBot, tmp_path: Path, schoolhouse: Path) -> Iterator[Session]:
     """A session on a copy of a school that the file of tests names."""
-    made = Session(open_workspace(enrolled(schoolhouse, tmp_path / "line")))
-    yield made
-    assert made.close()
-    qtbot.waitUntil(lambda: not made.tasks.running)
-    made.deleteLater()
+    with session_on(qtbot, enrolled(schoolhouse, tmp_path / "line")) as made:
+        yield made
 
 
 def _left(before: set[threading.Thread]) -> list[str]:

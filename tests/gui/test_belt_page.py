@@ -24,7 +24,7 @@ from fruitgui.simulation.simulation import Simulation
 from fruitgui.station.belt_setting import motion_of, onto_plan, with_region
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.workflow import State, Step
-from fruitgui.station.workspace import open_workspace
+from tests.gui.opened import in_view, session_on
 
 LONG_MS = 60_000
 SPEED_M_S = 0.15
@@ -55,22 +55,14 @@ def station(line: Simulation) -> Station:
 
 @pytest.fixture
 def rigged(qtbot: QtBot, tmp_path: Path, rig: FrozenSource) -> Iterator[Session]:
-    made = Session(open_workspace(tmp_path / "line"), sources=frozen_sources(rig))
-    yield made
-    assert made.close(), "something that ran did not end"
-    qtbot.waitUntil(lambda: not made.tasks.running)
-    made.deleteLater()
+    with session_on(qtbot, tmp_path / "line", frozen_sources(rig)) as made:
+        yield made
 
 
 @pytest.fixture
 def page(qtbot: QtBot, rigged: Session, theme: Theme) -> Iterator[BeltPage]:
-    made = BeltPage(rigged, theme)
-    qtbot.addWidget(made)
-    made.resize(1072, 580)
-    made.show()
-    made.entered()
-    yield made
-    made.left()
+    with in_view(qtbot, BeltPage(rigged, theme)) as made:
+        yield made
 
 
 @pytest.fixture

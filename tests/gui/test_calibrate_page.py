@@ -22,7 +22,7 @@ from fruitgui.sensors.feed import Feed
 from fruitgui.simulation.scenes import still_scene
 from fruitgui.station.fused_cloud import SensorCloud
 from fruitgui.station.workflow import State, Step
-from fruitgui.station.workspace import open_workspace
+from tests.gui.opened import in_view, session_on
 
 LONG_MS = 60_000
 
@@ -39,22 +39,14 @@ def bare() -> FrozenSource:
 
 @pytest.fixture
 def rigged(qtbot: QtBot, tmp_path: Path, rig: FrozenSource, bare: FrozenSource) -> Iterator[Session]:
-    made = Session(open_workspace(tmp_path / "line"), sources=frozen_sources(rig, bare))
-    yield made
-    assert made.close(), "something that ran did not end"
-    qtbot.waitUntil(lambda: not made.tasks.running)
-    made.deleteLater()
+    with session_on(qtbot, tmp_path / "line", frozen_sources(rig, bare)) as made:
+        yield made
 
 
 @pytest.fixture
 def page(qtbot: QtBot, rigged: Session, theme: Theme) -> Iterator[CalibratePage]:
-    made = CalibratePage(rigged, theme)
-    qtbot.addWidget(made)
-    made.resize(1072, 580)
-    made.show()
-    made.entered()
-    yield made
-    made.left()
+    with in_view(qtbot, CalibratePage(rigged, theme)) as made:
+        yield made
     qtbot.waitUntil(lambda: all(one.name != "outlook" for one in threading.enumerate()), timeout=LONG_MS)
 
 

@@ -21,7 +21,7 @@ from fruitgui.simulation.kinect import DepthModel
 from fruitgui.simulation.show import SHOWN_RAISE_M, Showing
 from fruitgui.simulation.supply import LineOptions
 from fruitgui.station.sources import SIMULATED, SimulatedSource, Sources
-from fruitgui.station.workspace import open_workspace
+from tests.gui.opened import in_view, session_on
 
 LONG_MS = 120_000
 RIG = LineOptions(rig_seed=5, layout="single", rate_hz=20.0, depth_error=1.0)
@@ -31,24 +31,16 @@ CORNER_R2 = (320**2 + 240**2) / 580**2
 
 @pytest.fixture
 def session(qtbot: QtBot, tmp_path: Path) -> Iterator[Session]:
-    session = Session(open_workspace(tmp_path / "line"), sources=Sources((SIMULATED,)))
-    session.source.choose(SimulatedSource(RIG, flat_out=True))
-    qtbot.waitUntil(lambda: session.connected.feed is not None, timeout=LONG_MS)
-    yield session
-    assert session.close()
-    qtbot.waitUntil(lambda: not session.tasks.running)
-    session.deleteLater()
+    with session_on(qtbot, tmp_path / "line", Sources((SIMULATED,))) as session:
+        session.source.choose(SimulatedSource(RIG, flat_out=True))
+        qtbot.waitUntil(lambda: session.connected.feed is not None, timeout=LONG_MS)
+        yield session
 
 
 @pytest.fixture
 def page(qtbot: QtBot, session: Session, theme: Theme) -> Iterator[ConnectPage]:
-    page = ConnectPage(session, theme)
-    qtbot.addWidget(page)
-    page.resize(1072, 580)
-    page.show()
-    page.entered()
-    yield page
-    page.left()
+    with in_view(qtbot, ConnectPage(session, theme)) as page:
+        yield page
 
 
 def _pass(qtbot: QtBot, wizard: DepthWizard, *, take: bool) -> None:

@@ -44,7 +44,7 @@ from fruitgui.station.depths import DeviceDepth
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.steadiness import Steadiness
 from fruitgui.station.workflow import State, Step
-from fruitgui.station.workspace import open_workspace
+from tests.gui.opened import in_view, session_on
 
 LONG_MS = 60_000
 TYPED = Typed(round(1e3 * bench_distance_m()), 1e3 * BOX_M, 1e3 * BALL_M, 1e3 * RAISE_M)
@@ -57,25 +57,17 @@ def bench() -> DepthBench:
 
 @pytest.fixture
 def benched(qtbot: QtBot, tmp_path: Path, bench: DepthBench) -> Iterator[Session]:
-    made = Session(open_workspace(tmp_path / "line"), sources=frozen_sources(bench.source))
-    made.source.choose(bench.source)
-    qtbot.waitUntil(lambda: bool(made.connected.health) and not made.source.opening, timeout=LONG_MS)
-    qtbot.waitUntil(lambda: all(one.frames > 2 for one in made.connected.health.values()), timeout=LONG_MS)
-    yield made
-    assert made.close()
-    qtbot.waitUntil(lambda: not made.tasks.running)
-    made.deleteLater()
+    with session_on(qtbot, tmp_path / "line", frozen_sources(bench.source)) as made:
+        made.source.choose(bench.source)
+        qtbot.waitUntil(lambda: bool(made.connected.health) and not made.source.opening, timeout=LONG_MS)
+        qtbot.waitUntil(lambda: all(one.frames > 2 for one in made.connected.health.values()), timeout=LONG_MS)
+        yield made
 
 
 @pytest.fixture
 def page(qtbot: QtBot, benched: Session, theme: Theme) -> Iterator[ConnectPage]:
-    made = ConnectPage(benched, theme)
-    qtbot.addWidget(made)
-    made.resize(1072, 580)
-    made.show()
-    made.entered()
-    yield made
-    made.left()
+    with in_view(qtbot, ConnectPage(benched, theme)) as made:
+        yield made
 
 
 def _begin(qtbot: QtBot, page: ConnectPage, typed: Typed = TYPED) -> DepthWizard:

@@ -26,11 +26,12 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.database import Database
 from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import LotPlan
-from fruitgui.records.restore import find_backups, is_prepared
+from fruitgui.records.restore import is_prepared
 from fruitgui.records.store import open_store
+from fruitgui.records.unpacking import find_backups
 from fruitgui.station.workflow import Step
-from fruitgui.station.workspace import open_workspace
 from tests.gui.lots_made import FEW, MANY, fill
+from tests.gui.opened import session_on
 from tests.unit.station.fruit_made import KINDS, made_fruit
 
 LONGEST_MS = 50.0
@@ -47,11 +48,8 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def run_session(qtbot: QtBot, tmp_path: Path, written: Path) -> Iterator[Session]:
     shutil.copytree(written, tmp_path / "line")
-    made = Session(open_workspace(tmp_path / "line"))
-    yield made
-    assert made.close()
-    qtbot.waitUntil(lambda: not made.tasks.running)
-    made.deleteLater()
+    with session_on(qtbot, tmp_path / "line") as made:
+        yield made
 
 
 @pytest.fixture

@@ -18,8 +18,8 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.station import projector_job
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.sources import Connected, Make, Sources
-from fruitgui.station.workspace import open_workspace
 from fruitgui.station.written import read_written
+from tests.gui.opened import in_view, session_on
 from tests.unit.sensors.lit_room import LitRoom, LitSensor
 
 LONG_MS = 60_000
@@ -49,23 +49,17 @@ def source() -> LitSource:
 @pytest.fixture
 def session(qtbot: QtBot, tmp_path: Path, source: LitSource) -> Iterator[Session]:
     makes = (*frozen_sources().makes, Make(source.kind, lambda: [source], lambda _value: source))
-    session = Session(open_workspace(tmp_path / "line"), sources=Sources(makes))
-    session.source.choose(source)
-    qtbot.waitUntil(lambda: session.connected.feed is not None, timeout=LONG_MS)
-    yield session
-    assert session.close()
-    session.deleteLater()
+    with session_on(qtbot, tmp_path / "line", Sources(makes)) as session:
+        session.source.choose(source)
+        qtbot.waitUntil(lambda: session.connected.feed is not None, timeout=LONG_MS)
+        yield session
 
 
 @pytest.fixture
-def page(qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch) -> ConnectPage:
+def page(qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch) -> Iterator[ConnectPage]:
     monkeypatch.setattr(projector_job, "TRIALS", 3)
-    page = ConnectPage(session, theme)
-    qtbot.addWidget(page)
-    page.resize(1072, 580)
-    page.show()
-    page.entered()
-    return page
+    with in_view(qtbot, ConnectPage(session, theme)) as page:
+        yield page
 
 
 def test_what_is_measured_and_kept_is_gone_by_at_once_and_after_a_restart(

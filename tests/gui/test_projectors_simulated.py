@@ -19,8 +19,8 @@ from fruitgui.station import projector_job
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.sources import SIMULATED, SimulatedSource, Sources
 from fruitgui.station.turn_plan import schedule_of
-from fruitgui.station.workspace import open_workspace
 from fruitgui.station.written import read_written
+from tests.gui.opened import in_view, session_on
 from tests.unit.simulation.true_light import TrueLight
 
 LONG_MS = 120_000
@@ -35,25 +35,18 @@ def light(monkeypatch: pytest.MonkeyPatch) -> TrueLight:
 
 @pytest.fixture
 def session(qtbot: QtBot, tmp_path: Path) -> Iterator[Session]:
-    session = Session(open_workspace(tmp_path / "line"), sources=Sources((SIMULATED,)))
-    session.source.choose(SimulatedSource(RIG))
-    qtbot.waitUntil(lambda: session.connected.feed is not None, timeout=LONG_MS)
-    yield session
-    assert session.close()
-    qtbot.waitUntil(lambda: not session.tasks.running)
-    session.deleteLater()
+    with session_on(qtbot, tmp_path / "line", Sources((SIMULATED,))) as session:
+        session.source.choose(SimulatedSource(RIG))
+        qtbot.waitUntil(lambda: session.connected.feed is not None, timeout=LONG_MS)
+        yield session
 
 
 @pytest.fixture
-def page(qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch) -> ConnectPage:
+def page(qtbot: QtBot, session: Session, theme: Theme, monkeypatch: pytest.MonkeyPatch) -> Iterator[ConnectPage]:
     for name, value in (("TRIALS", 3), ("VIEWS", 20), ("TOGETHER", 10)):
         monkeypatch.setattr(projector_job, name, value)
-    page = ConnectPage(session, theme)
-    qtbot.addWidget(page)
-    page.resize(1072, 580)
-    page.show()
-    page.entered()
-    return page
+    with in_view(qtbot, ConnectPage(session, theme)) as page:
+        yield page
 
 
 def test_what_is_true_of_a_simulated_rig_is_found_kept_and_gone_by(

@@ -26,6 +26,7 @@ from fruitgui.station.record_state import Ending, Recorded, RecordPlan, RecordSt
 from fruitgui.station.recordings_made import recording_path, recordings_made
 from fruitgui.station.sources import RecordedSource
 from fruitgui.station.workspace import open_workspace
+from tests.gui.opened import session_on
 
 WAIT_MS = 30_000
 
@@ -40,11 +41,8 @@ def session(qtbot: QtBot, tmp_path: Path, rendered: FrozenSource) -> Iterator[Se
     for sensor in rendered.sensors:
         sensor.silent.clear()
         sensor.broken.clear()
-    made = Session(open_workspace(tmp_path / "line"), sources=frozen_sources(rendered))
-    yield made
-    assert made.close()
-    qtbot.waitUntil(lambda: not made.tasks.running)
-    made.deleteLater()
+    with session_on(qtbot, tmp_path / "line", frozen_sources(rendered)) as made:
+        yield made
 
 
 @pytest.fixture
