@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from fruitgui.classification.intervals import Rate, rate
-
 SURE = 0.05
 """A difference that chance would make less often than this is one."""
 
@@ -44,11 +42,6 @@ class Comparison:
         if self.chance >= SURE:
             return Verdict.ALIKE
         return Verdict.BETTER if self.only > self.only_other else Verdict.WORSE
-
-    @property
-    def rates(self) -> tuple[Rate, Rate]:
-        """Share that each got right."""
-        return rate(self.right, self.fruit), rate(self.other_right, self.fruit)
 
 
 def compare(right: Sequence[bool], other_right: Sequence[bool]) -> Comparison:

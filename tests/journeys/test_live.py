@@ -90,7 +90,7 @@ def test_from_a_source_to_counts_that_equal_the_truth(stage: Stage, calibrated: 
     truth = crossed(OPTIONS, connected.rig.belt_s)
     assert len(truth) == FRUIT
     state = line.state
-    assert state.totals.fruit == len(sink.kept) == FRUIT
+    assert state.counted == len(sink.kept) == FRUIT
     assert state.skipped == 0
     assert not any(state.dropped.values())
     assert [warning.code for warning in state.warnings] == []
@@ -99,7 +99,7 @@ def test_from_a_source_to_counts_that_equal_the_truth(stage: Stage, calibrated: 
     true = Counter(thing.kind for thing in truth)
     assert (said & true).total() >= FRUIT - 1
     volume_m3 = sum(thing.volume_m3 for thing in truth)
-    assert sum(total.volume_m3 for total in state.totals.kinds.values()) == pytest.approx(volume_m3, rel=0.06)
+    assert sum(counted.fruit.volume_m3.value for counted, _ in sink.kept) == pytest.approx(volume_m3, rel=0.06)
     speed_m_s = float(np.linalg.norm(state.belt_velocity_m_s)) if state.belt_velocity_m_s is not None else 0.0
     assert speed_m_s == pytest.approx(0.2, abs=0.01)
     for counted, crops in sink.kept:

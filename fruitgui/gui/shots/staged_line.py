@@ -91,6 +91,4 @@ def _track(number: int, kind: str) -> TrackNow:
     trail = np.array([[-0.55, y], [x, y]])
     opinion = Opinion(kind, 0.97, Quantity(1.5e-4, 2e-6), 9)
     position_m, covariance_m2 = np.array([x, y, 0.0]), np.eye(3) * 1e-6
-    return TrackNow(
-        number + 1, position_m, covariance_m2, 9, 9, 0.0, place, spread, trail, outline, opinion
-    )  # fmt: skip
+    return TrackNow(number + 1, position_m, covariance_m2, 9, 9, place, spread, trail, outline, opinion)

@@ -29,7 +29,6 @@ class UsbDevice:
         speed_mbps: at which it runs, megabits a second; 0 where unknown.
         usb: the version of USB that it follows, for example 3.2; 0 where unknown.
         drivers: of the kernel, that hold its interfaces.
-        current_ma: most that it draws from its port; None where unknown.
     """
 
     bus: int
@@ -44,7 +43,6 @@ class UsbDevice:
     speed_mbps: float = 0.0
     usb: float = 0.0
     drivers: tuple[str, ...] = ()
-    current_ma: int | None = None
 
     @property
     def path(self) -> str:
@@ -135,7 +133,6 @@ def _device(entry: Path, drivers: tuple[str, ...]) -> UsbDevice | None:
         speed_mbps=_speed(entry),
         usb=_decimal(text_of(entry / "version")),
         drivers=drivers,
-        current_ma=_current_ma(text_of(entry / "bMaxPower")),
     )
 
 
@@ -169,8 +166,3 @@ def _speed(entry: Path) -> float:
 def _decimal(text: str) -> float:
     match = re.fullmatch(r"\d{1,6}(?:\.\d{1,3})?", text, re.ASCII)
     return 0.0 if match is None else float(text)
-
-
-def _current_ma(text: str) -> int | None:
-    match = re.fullmatch(r"(\d{1,6}) ?mA", text, re.ASCII)
-    return None if match is None else int(match[1])

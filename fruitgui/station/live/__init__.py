@@ -14,7 +14,6 @@ from fruitgui.station.live.state import (
     Preview,
     Spot,
     Spread,
-    Totals,
     TrackNow,
 )
 
@@ -35,6 +34,5 @@ __all__ = [
     "Preview",
     "Spot",
     "Spread",
-    "Totals",
     "TrackNow",
 ]

@@ -8,8 +8,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Protocol, TypeVar
 
-from fruitgui.station.fruit import Fruit
-from fruitgui.station.live.state import Finished, KindTotal, LiveWarning, Totals
+from fruitgui.station.live.state import Finished, LiveWarning
 from fruitgui.station.live.warnings import Warnings
 from fruitgui.station.sink import CountedFruit
 from fruitgui.station.waiting import BufferedSink, SinkState
@@ -36,8 +35,12 @@ class Counts(Protocol):
         """Try again to keep some of what waits; return whether more of it can be tried at once."""
 
     @property
-    def totals(self) -> Totals:
-        """What was counted since the start."""
+    def counted(self) -> int:
+        """Fruit that were kept since the start, whatever the lot."""
+
+    @property
+    def passed(self) -> int:
+        """Fruit since the start that were let pass uncounted."""
 
     @property
     def last(self) -> tuple[tuple[CountedFruit, Finished], ...]:
@@ -58,6 +61,9 @@ class Counting:
     Args:
         sink: keeps fruit.
         teacher: told of every fruit.
+
+    Attributes:
+        counted, passed: see `Counts`.
     """
 
     def __init__(self, sink: BufferedSink, teacher: Teacher | None = None) -> None:
@@ -66,12 +72,7 @@ class Counting:
         self._warnings = Warnings()
         self._unkept: dict[int, Finished] = {}
         self._last: deque[tuple[CountedFruit, Finished]] = deque(maxlen=LAST_FRUIT)
-        self._totals = Totals()
-
-    @property
-    def totals(self) -> Totals:
-        """What was counted since the start."""
-        return self._totals
+        self.counted = self.passed = self._lost = 0
 
     @property
     def last(self) -> tuple[tuple[CountedFruit, Finished], ...]:
@@ -93,7 +94,7 @@ class Counting:
         if self._teacher is not None:
             self._teacher(finished)
         if lot is None:
-            self._totals = Totals(self._totals.kinds, self._totals.passed + 1)
+            self.passed += 1
             return
         self._unkept[finished.fruit.fruit] = finished
         while len(self._unkept) > UNKEPT:
@@ -114,10 +115,13 @@ class Counting:
             finished = self._unkept.pop(one.fruit.fruit, None)
             if finished is not None:
                 self._last.append((one, finished))
-            self._totals = _with(self._totals, one.fruit)
-        problem = self._sink.state.problem
-        if problem is not None:
-            self._warnings.add("not_kept", f"{problem.what} {problem.remedy}", ())
+            self.counted += 1
+        sink = self._sink.state
+        if sink.problem is not None:
+            self._warnings.add("not_kept", f"{sink.problem.what} {sink.problem.remedy}", ())
+        for _ in range(sink.lost - self._lost):
+            self._warnings.add("fruit_not_counted", "A fruit could not be counted: no room to wait, or no lot.", ())
+        self._lost = sink.lost
 
 
 def count_all(
@@ -155,12 +159,3 @@ def count_all(
         attempt(partial(count, one))
     while attempt(retry):
         pass
-
-
-def _with(totals: Totals, fruit: Fruit) -> Totals:
-    before = totals.kinds.get(fruit.kind, KindTotal())
-    mass_kg = before.mass_kg
-    if fruit.mass_kg is not None:
-        mass_kg = (mass_kg or 0.0) + fruit.mass_kg.value
-    after = KindTotal(before.count + 1, before.volume_m3 + fruit.volume_m3.value, mass_kg)
-    return Totals({**totals.kinds, fruit.kind: after}, totals.passed)

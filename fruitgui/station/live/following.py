@@ -194,7 +194,6 @@ class Following:
                 covariance_m2=live.covariance_m2,
                 views=live.views,
                 whole=live.whole,
-                unseen_s=live.time_s - live.last_seen_s,
                 place_m=place_m,
                 spread=spread,
                 trail_m=trail_m,

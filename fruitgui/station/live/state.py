@@ -30,9 +30,7 @@ class LiveWarning:
     """Something that a person should know.
 
     Attributes:
-        code: a stable word: `calibration_stale`, `clock_put_right`, `clock_jumped`, `sensor_not_matched`,
-            `frame_skipped`, `fruit_not_measured`, `fruit_not_counted`, `not_kept`, `part_blind`, `sensor_away`,
-            `may_be_blinded`, `not_drawn`, `not_watched`, `mostly_unknown`, `line_begun_again`, `line_lost`.
+        code: a stable word, such as `calibration_stale`; `gui/health.py` says each in the operator's language.
         text: in words.
         sensors: whom it concerns.
         count: how often it happened.
@@ -79,7 +77,6 @@ class TrackNow:
         track: its number.
         position_m: (3,) centre of volume, reference frame. covariance_m2: (3, 3) of it.
         views: how often it was seen. whole: how often whole.
-        unseen_s: since when no sensor shows it: it is on its way out, hidden, or lost.
         place_m: (2,) on the belt from above, x along its motion.
         spread: of the place, metres.
         trail_m: (M, 2) where it was on the belt from above, the oldest first.
@@ -92,7 +89,6 @@ class TrackNow:
     covariance_m2: F64
     views: int
     whole: int
-    unseen_s: float
     place_m: F64
     spread: Spread
     trail_m: F64
@@ -173,33 +169,6 @@ class Finished:
     spots: tuple[Spot, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class KindTotal:
-    """What was counted of one kind: pieces, and the sums of their volumes and, where known, masses."""
-
-    count: int = 0
-    volume_m3: float = 0.0
-    mass_kg: float | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Totals:
-    """What was counted since the line was started, whatever the lot; only what is durable.
-
-    Attributes:
-        kinds: by kind.
-        passed: fruit that left while none were to be counted.
-    """
-
-    kinds: Mapping[str, KindTotal] = field(default_factory=dict)
-    passed: int = 0
-
-    @property
-    def fruit(self) -> int:
-        """All pieces counted."""
-        return sum(one.count for one in self.kinds.values())
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class LiveState:
     """The running line at one moment.
@@ -208,7 +177,7 @@ class LiveState:
         phase: what the line is doing.
         lot: into which fruit are counted; None while they pass uncounted (paused, or between lots).
         time_s: of the last observation, reference clock; None before the first.
-        totals: since the start.
+        counted: fruit since the start that are durable, whatever the lot. passed: those that none was to count.
         tracks: in view now.
         last: the last fruit counted, the newest first; with their pictures.
         health: of each sensor.
@@ -227,7 +196,8 @@ class LiveState:
     phase: Phase
     lot: int | None = None
     time_s: float | None = None
-    totals: Totals = Totals()
+    counted: int = 0
+    passed: int = 0
     tracks: tuple[TrackNow, ...] = ()
     last: tuple[tuple[CountedFruit, Finished], ...] = ()
     health: tuple[SensorHealth, ...] = ()

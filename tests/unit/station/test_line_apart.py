@@ -103,7 +103,7 @@ def test_it_counts_what_a_line_in_this_process_counts_and_shows_it() -> None:
         assert line.wait(LONG_S)
         state = line.state
         assert (state.phase, state.lot, state.frames) == (Phase.ENDED, 1, len(frames))
-        assert state.totals.fruit == len(sink.kept) == 3
+        assert state.counted == len(sink.kept) == 3
         assert [counted.number for counted, _ in state.last] == [3, 2, 1]
         assert [one.sensor for one in state.health] == ["left"]
         assert state.warnings == ()
@@ -169,7 +169,7 @@ def test_fruit_pass_uncounted_in_a_pause_and_are_taught_all_the_same() -> None:
     with running(line, feed):
         left.end()
         assert line.wait(LONG_S)
-        assert (line.state.totals.fruit, line.state.totals.passed) == (0, 3)
+        assert (line.state.counted, line.state.passed) == (0, 3)
     assert [one.sensors for one in told] == [("left",)] * 3
 
 
@@ -178,7 +178,7 @@ def test_a_line_that_is_killed_is_begun_again_and_said() -> None:
     left = Small("left", first)
     line, feed, sink = line_of(left)
     with running(line, feed):
-        until(lambda: line.state.totals.fruit >= 1, LONG_S)
+        until(lambda: line.state.counted >= 1, LONG_S)
         before = len(sink.kept)
         kill(line)
         until(lambda: "line_begun_again" in {one.code for one in line.state.warnings}, LONG_S)

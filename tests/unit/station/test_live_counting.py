@@ -35,6 +35,16 @@ def finished(number: int) -> Finished:
     return Finished(made_fruit(number), (), Evidence(np.zeros((1, 1), np.float32), np.zeros(1)), ("left",))
 
 
+def test_a_fruit_for_which_there_is_no_room_to_wait_is_said() -> None:
+    counting = Counting(BufferedSink(Disk(), most=2))
+    for number in range(5):
+        counting.count(finished(number), 1)
+    assert counting.sink_state.waiting == 2
+    assert {one.code: one.count for one in counting.warnings}["fruit_not_counted"] == 3
+    counting.retry()
+    assert {one.code: one.count for one in counting.warnings}["fruit_not_counted"] == 3, "each is said once"
+
+
 def test_at_the_end_everything_that_waits_is_kept() -> None:
     disk, many = Disk(), 3 * MOST_AT_ONCE + 7
     counting = Counting(BufferedSink(disk))
@@ -51,7 +61,7 @@ def test_at_the_end_everything_that_waits_is_kept() -> None:
     count_all(take, lambda one: counting.count(one, 1), counting.retry, lambda *_said: None)
     assert disk.kept == list(range(many))
     assert counting.sink_state.waiting == 0
-    assert sum(one.count for one in counting.totals.kinds.values()) == many
+    assert counting.counted == many
 
 
 def test_what_a_full_disk_cannot_take_at_the_end_waits_on() -> None:

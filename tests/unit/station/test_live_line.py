@@ -145,7 +145,7 @@ def test_what_passes_is_counted_once_it_is_kept_and_drawn_while_in_view(monkeypa
         left.end()
         assert line.wait(60.0)
         assert line.state.phase is Phase.ENDED
-        assert line.state.totals.fruit == len(sink.kept) == 3
+        assert line.state.counted == len(sink.kept) == 3
         assert line.state.frames == len(frames)
         assert [one.fruit.fruit for one, _ in sink.kept] == [1, 2, 3]
         assert [counted.number for counted, _ in line.state.last] == [3, 2, 1]
@@ -263,11 +263,11 @@ def test_while_the_disk_is_full_nothing_is_counted_and_then_everything_is() -> N
     sink.full.set()
     with running(line, feed):
         until(lambda: line.state.sink.waiting == 2, 60.0)
-        assert line.state.totals.fruit == 0
+        assert line.state.counted == 0
         assert "not_kept" in {one.code for one in line.state.warnings}
         sink.full.clear()
-        until(lambda: line.state.totals.fruit >= 2, 20.0)
-    assert line.state.totals.fruit == len(sink.kept) == 3
+        until(lambda: line.state.counted >= 2, 20.0)
+    assert line.state.counted == len(sink.kept) == 3
 
 
 def test_between_lots_fruit_pass_uncounted_and_are_taught_all_the_same() -> None:
@@ -277,7 +277,7 @@ def test_between_lots_fruit_pass_uncounted_and_are_taught_all_the_same() -> None
     with running(line, feed):
         left.end()
         assert line.wait(60.0)
-        assert (line.state.totals.fruit, line.state.totals.passed) == (0, 3)
+        assert (line.state.counted, line.state.passed) == (0, 3)
     assert len(told) == 3
     assert all(one.crops and one.evidence.views >= 3 and one.sensors == ("left",) for one in told)
 
@@ -421,7 +421,7 @@ def test_fruit_that_wait_for_the_clocks_go_into_the_lot_in_which_they_left() -> 
             sensor.give(*of[45:])
             sensor.end()
         assert line.wait(PATIENCE_S)
-    passed = line.state.totals.passed
+    passed = line.state.passed
     assert len(sink.kept) + passed == len(UNEVEN_M)
     assert 0 < len(sink.kept) < len(UNEVEN_M)
 

@@ -36,7 +36,7 @@ from fruitgui.station.live.apart.messages import (
 )
 from fruitgui.station.live.live_line import LiveLine
 from fruitgui.station.live.parcels import receive, send
-from fruitgui.station.live.state import Finished, LiveState, LiveWarning, Phase, Preview, Totals
+from fruitgui.station.live.state import Finished, LiveState, LiveWarning, Phase, Preview
 from fruitgui.station.sink import CountedFruit
 from fruitgui.station.waiting import SinkState
 
@@ -141,7 +141,7 @@ class Handed:
 class HandedBack:
     """Gives finished fruit back to be counted: a `Counts` that knows nothing of what became of them."""
 
-    totals = Totals()
+    counted = passed = 0
     last: tuple[tuple[CountedFruit, Finished], ...] = ()
     sink_state = SinkState()
     warnings: tuple[LiveWarning, ...] = ()
