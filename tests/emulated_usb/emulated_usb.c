@@ -77,7 +77,7 @@ static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed;
 static int no_hubs; /* the system does not say what hangs on what */
 static kinect kinects[MOST_KINECTS];
-static int count, control_us, motor_order[MOST_KINECTS], open_handles, contexts, live_transfers;
+static int count, motor_order[MOST_KINECTS], open_handles, contexts, live_transfers;
 static log_entry log_[LOG_LENGTH];
 static int logged;
 
@@ -153,7 +153,7 @@ static void pull_out(kinect *k) {
 void emulated_reset(int n) {
     pthread_mutex_lock(&lock);
     for (int i = 0; i < count; i++) if (kinects[i].plugged) pull_out(&kinects[i]);
-    count = n; control_us = 0; logged = 0;
+    count = n; logged = 0;
     for (int i = 0; i < n; i++) {
         kinect *k = &kinects[i];
         int generation = k->generation;
@@ -182,7 +182,6 @@ void emulated_plug(int i, int on) {
     LOCKED(if (on && !kinects[i].plugged) plug_in(&kinects[i]); if (!on && kinects[i].plugged) pull_out(&kinects[i]));
 }
 void emulated_motor_order(const int *order) { LOCKED(memcpy(motor_order, order, count * sizeof *order)); }
-void emulated_control_us(int us) { LOCKED(control_us = us); }
 void emulated_busy(int i, int on) { LOCKED(kinects[i].busy = on); }
 void emulated_restarts(int i, int looks) { LOCKED(kinects[i].restarts = looks); }
 void emulated_no_hubs(int on) { LOCKED(no_hubs = on); }
@@ -477,7 +476,7 @@ int libusb_control_transfer(libusb_device_handle *h, uint8_t type, uint8_t reque
     (void)index;
     int result;
     kinect *k = h->dev->kinect;
-    if (control_us || k->hang == HANG_EMPTY) usleep(control_us ? control_us : 1000);
+    if (k->hang == HANG_EMPTY) usleep(1000);
     pthread_mutex_lock(&lock);
     if (timeout && k->hang == HANG_CONTROL) { pthread_mutex_unlock(&lock); usleep(timeout * 1000); return LIBUSB_ERROR_TIMEOUT; }
     hanging(k, HANG_CONTROL);

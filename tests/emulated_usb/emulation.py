@@ -162,10 +162,6 @@ class Emulation:
         """List the motors in another order than the cameras."""
         self._usb.emulated_motor_order((ctypes.c_int * len(order))(*order))
 
-    def control_takes(self, microseconds: int) -> None:
-        """Let every control request take so long."""
-        self._usb.emulated_control_us(microseconds)
-
     def accelerate(self, number: int, x: int, y: int, z: int) -> None:
         """Set what the accelerometer reads, counts."""
         self._usb.emulated_accel(number, x, y, z)

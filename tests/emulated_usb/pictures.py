@@ -19,11 +19,6 @@ def level(raw: int) -> U16:
     return np.full(SHAPE, raw, dtype=np.uint16)
 
 
-def color_noise(seed: int) -> U8:
-    """Return colour's raw pixels at random."""
-    return np.random.default_rng(seed).integers(0, 256, SHAPE, dtype=np.uint8)
-
-
 def grey(value: int) -> U8:
     """Return colour's raw pixels, all the same."""
     return np.full(SHAPE, value, dtype=np.uint8)

@@ -200,19 +200,3 @@ def record(scene: Scene, path: Path, style: Style = PLAIN) -> Path:
         half = path.with_suffix(".part")
         write_mcap(half, messages(scene, style), style.chunk).rename(path)
     return path
-
-
-def write_ros1(path: Path, stream: Iterator[Message]) -> Path:
-    """Write messages to a ROS 1 bag; return its path."""
-    from rosbags.rosbag1 import Writer
-    from rosbags.typesys import Stores, get_typestore
-
-    ros1 = get_typestore(Stores.ROS1_NOETIC)
-    with Writer(path) as writer:
-        connections: dict[str, Any] = {}
-        for message in stream:
-            if message.topic not in connections:
-                connections[message.topic] = writer.add_connection(message.topic, message.kind, typestore=ros1)
-            data = ros1.cdr_to_ros1(store().serialize_cdr(message.record, message.kind), message.kind)
-            writer.write(connections[message.topic], round(message.stamp_s * 1e9), bytes(data))
-    return path
