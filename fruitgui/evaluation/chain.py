@@ -58,7 +58,6 @@ def run_chain(
     acts: Acts,
     folder: Path,
     *,
-    paper: bool = False,
     progress: Progress = no_progress,
     cancelled: Cancelled = never_cancelled,
 ) -> Chain:
@@ -80,8 +79,8 @@ def run_chain(
     labelled = [(RecordingSource(acts.training.path(folder)), labels)]
     training = train_recordings(labelled, station, model, cancelled=cancelled)
     progress(0.8, "Running the line")
-    options = RunOptions(model=model, paper=paper)
-    report = run_recording(RecordingSource(acts.line.path(folder)), station, options, cancelled=cancelled)
+    line = RecordingSource(acts.line.path(folder))
+    report = run_recording(line, station, RunOptions(model=model), cancelled=cancelled)
     warnings = (*calibration.warnings, *training.warnings, *report["warnings"])
     judged = score(report["fruit"], acts.line.simulation.truth)
     return Chain(calibration, training, report, judged, warnings)

@@ -31,7 +31,6 @@ class Act:
         speed_m_s: of the belt; zero for a still scene.
         touching: share of fruit that touch another.
         foreign_kinds: foreign objects are drawn from these.
-        conditions: light and sensors.
     """
 
     name: str
@@ -42,18 +41,15 @@ class Act:
     speed_m_s: float = 0.0
     touching: float = 0.0
     foreign_kinds: tuple[str, ...] = STRANGE
-    conditions: scenes.Conditions = scenes.USUAL
 
     @cached_property
     def simulation(self) -> Simulation:
         """The scene with its truth."""
         if self.speed_m_s == 0.0:
-            return scenes.still_scene(
-                self.seed, fruit=self.fruit, touching=self.touching, conditions=self.conditions, rig_seed=self.rig_seed
-            )
+            return scenes.still_scene(self.seed, fruit=self.fruit, touching=self.touching, rig_seed=self.rig_seed)
         return scenes.line_scene(
             self.seed, fruit=self.fruit, foreign=self.foreign, speed_m_s=self.speed_m_s, touching=self.touching,
-            foreign_kinds=self.foreign_kinds, conditions=self.conditions, rig_seed=self.rig_seed,
+            foreign_kinds=self.foreign_kinds, rig_seed=self.rig_seed,
         )  # fmt: skip
 
     def path(self, folder: Path) -> Path:

@@ -114,9 +114,9 @@ class Messages(QObject):
         """Say that something worked."""
         self.say(Message(Level.GOOD, told))
 
-    def warn(self, told: Telling, *, stays: bool = False) -> None:
+    def warn(self, told: Telling) -> None:
         """Say what should be looked after."""
-        self.say(Message(Level.WARN, told, stays=stays))
+        self.say(Message(Level.WARN, told))
 
     def error(self, error: FruitguiError) -> None:
         """Say what failed and what to do, with the way there; the log has it as exactly as the core said it."""

@@ -75,11 +75,11 @@ def _powers(values: Real, top: int) -> list[Real]:
 
 
 @lru_cache(maxsize=8)
-def basis(degree: int, lowest: int = 3) -> Basis:
-    """Return the harmonics of degrees `lowest` to `degree`."""
+def basis(degree: int) -> Basis:
+    """Return the harmonics of degrees 3 to `degree`; an ellipsoid has those below."""
     powers = np.array([(i, j, n - i - j) for n in (degree, degree - 1) for i in range(n + 1) for j in range(n + 1 - i)])
     sphere = sphere_points(1200)
-    wanted = [(n, m) for n in range(lowest, degree + 1) for m in range(-n, n + 1)]
+    wanted = [(n, m) for n in range(3, degree + 1) for m in range(-n, n + 1)]
     values = np.stack([_harmonic(n, m, sphere) for n, m in wanted], axis=1)
     matrix = np.asarray(np.linalg.lstsq(_table(powers, sphere), values, rcond=None)[0], dtype=np.float64)
     slopes = [_tangential(powers, matrix, axis, sphere) for axis in range(3)]

@@ -120,25 +120,19 @@ def _is_sound(fit: Fit) -> bool:
     return bool(np.isfinite(fit.covariance).all() and reach < LARGEST_M / 2.0 and (np.diag(fit.covariance) > 0.0).all())
 
 
-def fit_surface(evidence: Evidence, degree: int | None = None) -> Fit:
-    """Return the closed surface through all views, coarse to fine: ball, ellipsoid, harmonics.
-
-    Args:
-        evidence: the views.
-        degree: highest of the harmonics.
-    """
-    degree = DEGREE if degree is None else degree
+def fit_surface(evidence: Evidence) -> Fit:
+    """Return the closed surface through all views, belt frame, coarse to fine: ball, ellipsoid, harmonics."""
     radius = max(0.5 * evidence.height_m, 2e-3)
     path, _ = carried(evidence, evidence.centre_m, degree=1)
     few = evidence.thinned(THIN)
     prior = shape_prior(0, COARSE, radius, axis_known=False)
     state = improve(first_state(few, path, FATTENING_PX), few, prior, COARSE_STEPS).state
-    prior = shape_prior(degree, FINE, radius, axis_known=True)
-    state = _upon_axes(_along_path(state, evidence, 3), degree)
+    prior = shape_prior(DEGREE, FINE, radius, axis_known=True)
+    state = _upon_axes(_along_path(state, evidence, 3))
     fit = improve(replace(state, along_m=np.zeros(evidence.used.shape)), evidence, prior, FINE_STEPS)
     if not is_restless(fit.state, evidence, prior):
         return fit
-    turning = shape_prior(degree, FINE, radius, axis_known=True, turn_sigma_rad=TURN_SIGMA_RAD)
+    turning = shape_prior(DEGREE, FINE, radius, axis_known=True, turn_sigma_rad=TURN_SIGMA_RAD)
     return improve(fit.state, evidence, turning, FINE_STEPS)
 
 
@@ -152,15 +146,15 @@ def _along_path(state: State, evidence: Evidence, degree: int) -> State:
     return replace(state, centre_m=centre, path_m=path, shift_m=left)
 
 
-def _upon_axes(state: State, degree: int) -> State:
+def _upon_axes(state: State) -> State:
     """Return the state in the frame of its ellipsoid's axes, z the axis of revolution, with room for harmonics."""
     values, vectors = np.linalg.eigh(state.shape.matrix.T @ state.shape.matrix)
     logs = np.log(values)
     order = [0, 1, 2] if logs[2] - logs[1] > logs[1] - logs[0] else [1, 2, 0]
     body = vectors[:, order]
     body[:, 2] *= np.sign(np.linalg.det(body))
-    weights = np.zeros(len(basis(degree).degree)) if degree >= 3 else np.zeros(0)
-    return replace(state, body=body, shape=Shape(np.diag(np.sqrt(values[order])) @ body.T, weights, degree))
+    weights = np.zeros(len(basis(DEGREE).degree))
+    return replace(state, body=body, shape=Shape(np.diag(np.sqrt(values[order])) @ body.T, weights, DEGREE))
 
 
 def size_of(fit: Fit, sensors: tuple[str, ...]) -> Size:

@@ -30,7 +30,6 @@ def depth_bench(
     *,
     board_height_m: float = 0.0,
     ball_m: float = 0.0,
-    ball_at_m: tuple[float, float] = (0.0, 0.0),
     raised_m: float = 0.0,
     captures: int = 15,
     sensor_height_m: tuple[float, float] = USUAL_HEIGHT_M,
@@ -43,7 +42,6 @@ def depth_bench(
         model: how its depth errs.
         board_height_m: of a board's upper side over the belt; 0 for none.
         ball_m: diameter of a ball on the belt; 0 for none.
-        ball_at_m: (x, y) of the ball.
         raised_m: the sensor was raised by so much from its place; 0 for not.
         captures: how many.
         sensor_height_m: range of the sensor's height above the belt.
@@ -57,7 +55,7 @@ def depth_bench(
         long_m, wide_m = BOARD_M[0] / 2, BOARD_M[1] / 2
         board = Block((-long_m, -wide_m, 0.0), (long_m, wide_m, board_height_m), CARDBOARD)
         surroundings = replace(surroundings, blocks=(*surroundings.blocks, board))
-    bodies = (Body(1, "ball", ball(ball_m / 2, ORANGE), ball_at_m, foreign=True),) if ball_m > 0.0 else ()
+    bodies = (Body(1, "ball", ball(ball_m / 2, ORANGE), (0.0, 0.0), foreign=True),) if ball_m > 0.0 else ()
     turns = tuple(Capture((number + 0.5) / 10.0, devices[0].sensor) for number in range(captures))
     light = make_light(np.random.default_rng([seed, 0]), 500.0)
     return Simulation(Scene(seed, devices, surroundings, light, bodies, constant(0.0), turns))

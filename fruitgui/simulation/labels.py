@@ -49,28 +49,23 @@ def truth_labels(
     per_fruit: int = 3,
     volume_share: float = 1 / 3,
     beaker_std: float = 0.0,
-    kinds: Sequence[str] | None = None,
-    numbers: Sequence[int] | None = None,
     seed: int = 0,
 ) -> list[TrueLabel]:
-    """Return labels of a scene's fruit, in order of time.
+    """Return labels of a scene's fruit, in order of time; foreign objects have none.
 
     Args:
         sim: the scene.
         per_fruit: views labelled of each piece, spread over its passage (fewer where it is seen less often).
         volume_share: share of each kind's pieces whose volume is given.
         beaker_std: relative standard deviation of the volume as measured.
-        kinds: only these; None for all fruit, foreign objects left out.
-        numbers: only these captures.
         seed: of the operator's choices.
     """
     rng = np.random.default_rng([seed, 77])
-    chosen = {thing.fruit_id: thing for thing in sim.truth.fruit if _wanted(thing.kind, thing.foreign, kinds)}
+    chosen = {thing.fruit_id: thing for thing in sim.truth.fruit if not thing.foreign}
     measured = _measured(sim, list(chosen), volume_share, beaker_std, rng)
     views: dict[int, list[int]] = {}
     for fruit_id in chosen:
-        seen = _seen_whole(sim, fruit_id, range(len(sim.captures)) if numbers is None else numbers)
-        for number in _spread(seen, per_fruit, rng):
+        for number in _spread(_seen_whole(sim, fruit_id), per_fruit, rng):
             views.setdefault(number, []).append(fruit_id)
     rows: list[TrueLabel] = []
     for number in sorted(views):
@@ -97,10 +92,6 @@ def write_labels(path: Path, rows: Sequence[TrueLabel]) -> None:
             writer.writerow((row.sensor, f"{row.time_s:.9f}", *place, row.kind, volume, row.fruit))
 
 
-def _wanted(kind: str, foreign: bool, kinds: Sequence[str] | None) -> bool:
-    return not foreign if kinds is None else kind in kinds
-
-
 def _measured(sim: Simulation, ids: Sequence[int], share: float, beaker_std: float, rng: Generator) -> dict[int, float]:
     """Return the volumes (ml) of as many pieces of each kind as the share says, at least one if it is not zero."""
     by_kind: dict[str, list[int]] = {}
@@ -116,13 +107,12 @@ def _measured(sim: Simulation, ids: Sequence[int], share: float, beaker_std: flo
     return picked
 
 
-def _seen_whole(sim: Simulation, fruit_id: int, numbers: Sequence[int]) -> list[int]:
+def _seen_whole(sim: Simulation, fruit_id: int) -> list[int]:
     """Return the captures in whose colour picture a body is wholly inside."""
     body = next(body for body in sim.scene.bodies if body.fruit_id == fruit_id)
     rim_m = body.mesh.vertices_m[:: max(len(body.mesh.vertices_m) // 60, 1)]
     inside = []
-    for number in numbers:
-        capture = sim.captures[number]
+    for number, capture in enumerate(sim.captures):
         device = sim.device(capture.sensor)
         to_sensor: Pose = device.pose.inverse() @ sim.truth.pose_in_world(fruit_id, capture.time_s)
         points = to_sensor.apply(rim_m)

@@ -13,9 +13,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.random import Generator
 
-from fruitgui.simulation.body import Body, at_rest
+from fruitgui.simulation.body import Body
 from fruitgui.simulation.device import Device
-from fruitgui.simulation.foreign import box_of
 from fruitgui.simulation.fruit import KINDS, ball
 from fruitgui.simulation.layouts import USUAL_HEIGHT_M
 from fruitgui.simulation.light import make_light
@@ -24,19 +23,20 @@ from fruitgui.simulation.packing import clusters, scatter, stream
 from fruitgui.simulation.setting import USUAL, Conditions, Setting, make_setting
 from fruitgui.simulation.simulation import Capture, Scene, Simulation, sight_along_belt
 from fruitgui.simulation.stock import STRANGE, begun, made_restless, mixed, numbered, shoved
-from fruitgui.simulation.surroundings import Surroundings, make_belt
 
 __all__ = [
     "USUAL",
     "Conditions",
     "bare_belt",
-    "box_scene",
     "line_scene",
     "placement_scene",
     "sight_of",
     "sphere_scene",
     "still_scene",
 ]
+
+PITCH_M = 0.11
+"""Between the middles of neighbours in a row or grid of equal spheres."""
 
 
 def still_scene(
@@ -99,23 +99,12 @@ def bare_belt(
     seed: int,
     layout: str = "opposed",
     *,
-    rig_seed: int | None = None,
-    with_rails: bool = True,
     captures: int = 5,
     height_m: tuple[float, float] = USUAL_HEIGHT_M,
     conditions: Conditions = USUAL,
 ) -> Simulation:
     """Return an empty belt at rest: nothing to register by. Arguments as of `still_scene`."""
-    return still_scene(
-        seed,
-        layout,
-        0,
-        rig_seed=rig_seed,
-        with_rails=with_rails,
-        captures=captures,
-        height_m=height_m,
-        conditions=conditions,
-    )
+    return still_scene(seed, layout, 0, captures=captures, height_m=height_m, conditions=conditions)
 
 
 def sphere_scene(
@@ -123,38 +112,17 @@ def sphere_scene(
     pattern: str = "row",
     *,
     count: int = 7,
-    layout: str = "opposed",
-    radius_m: float = 0.035,
-    pitch_m: float = 0.11,
-    with_rails: bool = True,
     captures: int = 5,
     conditions: Conditions = USUAL,
 ) -> Simulation:
     """Return equal spheres at equal distances, in a "row" of `count` or a "grid" of `count` by 4, at rest."""
     rng = np.random.default_rng([seed, 0])
-    setting = make_setting(seed, layout, 0, with_rails, conditions)
-    sphere = ball(radius_m, (0.93, 0.52, 0.10))
+    setting = make_setting(seed, "opposed", 0, True, conditions)
+    sphere = ball(0.035, (0.93, 0.52, 0.10))
     rows = 1 if pattern == "row" else 4
     places = [(i - (count - 1) / 2, j - (rows - 1) / 2) for i in range(count) for j in range(rows)]
-    bodies = [Body(n + 1, "orange", sphere, (x * pitch_m, y * pitch_m)) for n, (x, y) in enumerate(places)]
+    bodies = [Body(n + 1, "orange", sphere, (x * PITCH_M, y * PITCH_M)) for n, (x, y) in enumerate(places)]
     return _still(seed, rng, setting, bodies, captures, conditions)
-
-
-def box_scene(
-    seed: int, layout: str = "opposed", boxes: int = 5, *, captures: int = 5, conditions: Conditions = USUAL
-) -> Simulation:
-    """Return a wide table at rest with boxes of several sizes on it."""
-    rng = np.random.default_rng([seed, 0])
-    setting = make_setting(seed, layout, 0, False, conditions)
-    ends_m = (-float(rng.uniform(0.6, 0.9)), float(rng.uniform(0.6, 0.9)))
-    table = make_belt(rng, float(rng.uniform(0.9, 1.3)), ends_m)
-    setting = replace(setting, surroundings=Surroundings(table, (), float(rng.uniform(0.6, 0.8)), (0.45, 0.42, 0.40)))
-    bodies = []
-    for _ in range(boxes):
-        mesh = box_of(rng.uniform((0.05, 0.05, 0.03), (0.25, 0.16, 0.20)), rng).centred()
-        bodies.append(Body(0, "box", at_rest(mesh, rng, 0.0), (0.0, 0.0), foreign=True))
-    laid = scatter(clusters(bodies, 0.0, rng), np.array([-0.4, -0.4]), np.array([0.4, 0.4]), rng)
-    return _still(seed, rng, setting, numbered(laid), captures, conditions)
 
 
 def line_scene(
@@ -172,8 +140,6 @@ def line_scene(
     per_metre: float = 14.0,
     captures_hz: float = 10.0,
     restless: float = 0.35,
-    with_rails: bool = True,
-    height_m: tuple[float, float] = USUAL_HEIGHT_M,
     foreign_kinds: Sequence[str] = STRANGE,
     silent: Sequence[tuple[int, float, float]] = (),
     conditions: Conditions = USUAL,
@@ -194,15 +160,13 @@ def line_scene(
         per_metre: pieces per metre of belt.
         captures_hz: of all sensors together; they take turns.
         restless: share of pieces that rock, roll a little or slide.
-        with_rails: rails beside the belt.
-        height_m: range of the sensors' heights above the belt.
         foreign_kinds: foreign objects are drawn from these; may name fruit that nobody trains.
         silent: (number of the sensor from 0, from, to): spans in which a sensor gives nothing, seconds.
         conditions: light and sensors.
     """
     rng = np.random.default_rng([seed, 0])
     profile = speed or constant(speed_m_s)
-    setting = make_setting(seed if rig_seed is None else rig_seed, layout, sensors, with_rails, conditions, height_m)
+    setting = make_setting(seed if rig_seed is None else rig_seed, layout, sensors, True, conditions)
     setting = replace(setting, devices=_silenced(setting.devices, silent))
     half_m = setting.surroundings.belt.width_m / 2
     bodies = [

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from fruitgui.errors import InputError
-from fruitgui.sensors.drivers import Driver, known_drivers
+from fruitgui.sensors.drivers import known_drivers
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.sensor import Sensor
 from fruitgui.sensors.turns import Schedule
@@ -27,25 +27,21 @@ from fruitgui.station.written import read_written
 T = TypeVar("T")
 
 
-Drivers = Callable[[], Sequence[Driver]]
-
-
-def connected_devices(names: Mapping[str, str], drivers: Drivers = known_drivers) -> list[Sensor]:
+def connected_devices(names: Mapping[str, str]) -> list[Sensor]:
     """Return a sensor for everything that is plugged in, closed.
 
     Args:
         names: by serial; a device that is not among them keeps the name that its driver gives, unless it is taken.
-        drivers: that are asked.
     """
-    for driver in drivers():
+    for driver in known_drivers():
         all_devices(driver)  # one whose bus is slow has nothing to say at first
-    found = [sensor for source in devices_of(drivers).find() for sensor in source.connect().sensors]
+    found = [sensor for source in devices_of(known_drivers).find() for sensor in source.connect().sensors]
     return named_by_serial(found, names)
 
 
-def unusable_devices(drivers: Drivers = known_drivers) -> list[tuple[str, Problem]]:
+def unusable_devices() -> list[tuple[str, Problem]]:
     """Return what is plugged in and cannot be opened: its model, and why."""
-    devices = [device for driver in drivers() for device in all_devices(driver)]
+    devices = [device for driver in known_drivers() for device in all_devices(driver)]
     return [(one.model, problem(one.hindrance or "closed")) for one in devices if not one.serial]
 
 

@@ -103,7 +103,8 @@ def test_the_keys_of_what_is_offered_work_and_of_what_was_offered_do_not(qtbot: 
 def test_a_standing_error_is_not_pushed_away_by_a_lesser_word(
     qtbot: QtBot, session: Session, window: MainWindow
 ) -> None:
-    session.messages.warn(lambda: Told("Sensor kinect_2 is silent.", "Check its cable."), stays=True)
+    silent = Told("Sensor kinect_2 is silent.", "Check its cable.")
+    session.messages.say(Message(Level.WARN, lambda: silent, stays=True))
     session.messages.info(lambda: Told("Saved."))
     shown = [one.text() for one in window.action_bar.findChildren(type(window.action_bar._text))]
     assert "Sensor kinect_2 is silent." in shown
@@ -171,7 +172,7 @@ def _say_warning(messages: Messages) -> None:
     "say",
     [
         lambda messages: messages.info(_no_room, lambda: None),
-        lambda messages: messages.warn(_no_room, stays=True),
+        lambda messages: messages.say(Message(Level.WARN, _no_room, stays=True)),
         lambda messages: messages.stand("room", Message(Level.WARN, _no_room)),
         _say_good,
         _say_error,

@@ -47,7 +47,7 @@ class DepthBench:
         self.source.sensors[0].frames = bench_frames(what)
 
 
-def frozen_bench(shown_as: str = "simulated") -> DepthBench:
+def frozen_bench() -> DepthBench:
     """Return a bench with a bare belt."""
     info = replace(sensor_info(depth_bench(SEED, RIG, BIASED, captures=2), "kinect_1"), rate_hz=1.0 / PERIOD_S)
-    return DepthBench(FrozenSource("bench", (FrozenSensor(info, bench_frames(Looked.BELT)),), shown_as))
+    return DepthBench(FrozenSource("bench", (FrozenSensor(info, bench_frames(Looked.BELT)),), "simulated"))

@@ -100,13 +100,13 @@ class Sheet:
         """Leave room."""
         self.y += height
 
-    def words(self, text: str, style: Style = BODY, width: float | None = None) -> None:
-        """Write a paragraph over the whole width, or less."""
-        box = QRectF(0, 0, (width or self.width) * PER_POINT, 1e6)
+    def words(self, text: str, style: Style = BODY) -> None:
+        """Write a paragraph over the whole width."""
+        box = QRectF(0, 0, self.width * PER_POINT, 1e6)
         flags = Qt.TextFlag.TextWordWrap.value
         height = QFontMetricsF(style.font()).boundingRect(box, flags, text).height() / PER_POINT
         self.room(height)
-        self.text(QRectF(0, self.y, width or self.width, height + 2), text, style, wrapped=True)
+        self.text(QRectF(0, self.y, self.width, height + 2), text, style, wrapped=True)
         self.y += height + 3
 
     def text(
