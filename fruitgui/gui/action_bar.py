@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QProgressBar, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
@@ -12,6 +12,7 @@ from fruitgui.gui.tasks import Task
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.worded import Worded
 
 SHOWN_MS = 8000
 ICON_PX = 24
@@ -65,7 +66,7 @@ class ActionButton(QPushButton):
             self.setIconSize(QSize(20, 20))
 
 
-class ActionBar(QWidget):
+class ActionBar(Worded, QWidget):
     """Shows the hint and actions of the page in view, the last message, and the job that runs.
 
     Attributes:
@@ -177,12 +178,6 @@ class ActionBar(QWidget):
         task.progressed.connect(self._show_progress)
         task.ended.connect(self._task_ended)
         self._show()
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _say_words(self) -> None:
         self._close.setText(self.tr("Close"))

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from fruitgui.gui.source_runner import SourceRunner
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.simulation.show import Showing
 
 
-class ShowSwitch(QWidget):
+class ShowSwitch(Worded, QWidget):
     """Three buttons; seen only where the sensors are simulated."""
 
     def __init__(self, source: SourceRunner, parent: QWidget | None = None) -> None:
@@ -42,12 +42,6 @@ class ShowSwitch(QWidget):
         self.setVisible(rig is not None)
         if rig is not None and rig.showing in self.buttons:
             self.buttons[rig.showing].setChecked(True)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _say_words(self) -> None:
         self._title.setText(self.tr("Simulated belt"))

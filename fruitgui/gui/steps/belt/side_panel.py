@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, QSize, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
     QGridLayout,
@@ -27,9 +27,10 @@ from fruitgui.gui.widgets.cards import Card, label, set_health
 from fruitgui.gui.widgets.show_switch import ShowSwitch
 from fruitgui.gui.widgets.stepper import Stepper
 from fruitgui.gui.widgets.tick_box import TickBox
+from fruitgui.gui.widgets.worded import Worded
 
 
-class SidePanel(QWidget):
+class SidePanel(Worded, QWidget):
     """Two cards: motion, and fruit.
 
     Attributes:
@@ -78,12 +79,6 @@ class SidePanel(QWidget):
     def busy(self, busy: bool, *, ready: bool) -> None:
         """Let nothing be measured while it is, nor where no sensor runs."""
         self.measure_button.setEnabled(ready and not busy)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         for one in (self._problem, self.measured):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QSize, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QToolButton, QWidget
 
 from fruitgui.gui.numbers import THIN, number_text
@@ -12,6 +12,7 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.worded import Worded
 
 ABOVE = ""
 NAMES_UP_TO = 3
@@ -20,7 +21,7 @@ NAMES_UP_TO = 3
 _TOOLS = {"add": ("add", "Ctrl++"), "remove": ("remove", "Ctrl+-"), "reset": ("undo", "Ctrl+R")}
 
 
-class ToolRow(QWidget):
+class ToolRow(Worded, QWidget):
     """Views at the left, tools at the right.
 
     Attributes:
@@ -79,12 +80,6 @@ class ToolRow(QWidget):
         self._count, self._area_m2 = count, area_m2
         self.tools["remove"].setEnabled(count > 3)
         self._say_size()
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _tell(self) -> None:
         self.chosen.emit(next(name for name, button in self.views.items() if button.isChecked()))

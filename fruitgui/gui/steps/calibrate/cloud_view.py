@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QRectF, Qt
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
@@ -22,13 +22,14 @@ from fruitgui.gui.steps.calibrate.flat_cloud import FlatCloud
 from fruitgui.gui.steps.calibrate.gl_cloud import GlCloud, gl_works
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.station.fused_cloud import SensorCloud
 
 STEPS = 50
 """Of the slider, from one sensor to the next."""
 
 
-class CloudView(QWidget):
+class CloudView(Worded, QWidget):
     """Three dimensions where the screen can show them; from above and from the side always."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -72,12 +73,6 @@ class CloudView(QWidget):
         if self.solid is not None:
             self.solid.show_clouds(self._clouds)
         self._look()
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         self._stack.addWidget(self.flat)

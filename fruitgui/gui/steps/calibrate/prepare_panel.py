@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from fruitgui.calibration.outlook import ENOUGH_COMMON, LEAST_COMMON
@@ -17,9 +16,10 @@ from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label, set_health
 from fruitgui.gui.widgets.rig_graph import RigGraph
 from fruitgui.gui.widgets.show_switch import ShowSwitch
+from fruitgui.gui.widgets.worded import Worded
 
 
-class PreparePanel(QWidget):
+class PreparePanel(Worded, QWidget):
     """Advice at the left, the meter at the right."""
 
     def __init__(self, session: Session, theme: Theme, parent: QWidget | None = None) -> None:
@@ -37,12 +37,6 @@ class PreparePanel(QWidget):
         self.graph.show_graph(prospect.nodes, prospect.links)
         self.sentence.setText(prospect.sentence)
         set_health(self.sentence, prospect.health)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         for one in (*self._rules, self.sentence, self._legend):

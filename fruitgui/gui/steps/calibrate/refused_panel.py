@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from fruitgui.gui.steps.calibrate.reasons import Told
@@ -15,6 +14,7 @@ from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.rig_graph import GraphLink, GraphNode, RigGraph
 from fruitgui.gui.widgets.scrolled import Scrolled
+from fruitgui.gui.widgets.worded import Worded
 
 MOST_SHOWN = 4
 
@@ -40,7 +40,7 @@ class ReasonCard(Card):
         self.body.addWidget(remedy)
 
 
-class RefusedPanel(QWidget):
+class RefusedPanel(Worded, QWidget):
     """Reasons at the left, what links the sensors at the right."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -67,12 +67,6 @@ class RefusedPanel(QWidget):
         self._more_count = max(len(told) - MOST_SHOWN, 0)
         self.graph.show_graph(nodes, links)
         self._say_words()
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         self._title.setWordWrap(True)

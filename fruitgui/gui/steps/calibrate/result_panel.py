@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from fruitgui.gui.steps.calibrate.cloud_view import CloudView
@@ -14,13 +14,14 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, EmptyPlace, label, set_health
 from fruitgui.gui.widgets.rig_graph import GraphLink, GraphNode, RigGraph
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.station.fused_cloud import SensorCloud
 
 LEFT_WIDTH = 368
 ICON_PX = 32
 
 
-class ResultPanel(QWidget):
+class ResultPanel(Worded, QWidget):
     """Verdict and graph at the left, cloud at the right."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -57,12 +58,6 @@ class ResultPanel(QWidget):
         self._nothing.setVisible(not clouds)
         if clouds:
             self.cloud.show_clouds(clouds, compared=compared)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         for one in (self.sentence, self._warnings):

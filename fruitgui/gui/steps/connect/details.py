@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
@@ -19,6 +19,7 @@ from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label, set_health
+from fruitgui.gui.widgets.worded import Worded
 
 _KEYS = {
     "identify": "Ctrl+I", "reference": "Ctrl+R", "left": "Ctrl+Left", "right": "Ctrl+Right", "leave": "Ctrl+Del",
@@ -31,7 +32,7 @@ _ICONS = {
 _FACTS = ("device", "serial", "firmware", "rate", "lost", "colour", "warmth", "correction")
 
 
-class SensorDetails(Card):
+class SensorDetails(Worded, Card):
     """Shows one sensor and tells what a person wants done with it.
 
     Attributes:
@@ -102,12 +103,6 @@ class SensorDetails(Card):
         self.buttons["right"].setEnabled(view.place <= len(others) and not fixed)
         self.buttons["leave"].setEnabled(bool(others) and not fixed)
         self.buttons["depth"].setEnabled(view.condition.health in ("good", "warn") and not fixed)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _show_condition(self, condition: Condition) -> None:
         self._condition.setText(condition.word[:1].upper() + condition.word[1:])

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
 
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.worded import Worded
 
 
-class RulesDialog(QDialog):
+class RulesDialog(Worded, QDialog):
     """Shows what will be written and where; accepted is a yes.
 
     Args:
@@ -29,12 +29,6 @@ class RulesDialog(QDialog):
         self._lay_out()
         self._say_words()
         self.resize(760, 520)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         self._what.setWordWrap(True)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QSize, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QFormLayout, QLabel, QPushButton, QWidget
 
 from fruitgui.gui.steps.connect.made_list import MadeList
@@ -26,6 +26,7 @@ from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.stepper import Stepper
 from fruitgui.gui.widgets.tick_box import TickBox
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.station.recordings_made import MadeRecording
 from fruitgui.station.sources import RecordedSource, Source
 
@@ -33,7 +34,7 @@ MOST_RIGS = 999
 SPEEDS_M_S = (0.02, 0.6)
 
 
-class SourceForm(Card):
+class SourceForm(Worded, Card):
     """Shows the choices of one offer; `source` is what they come to.
 
     Attributes:
@@ -104,12 +105,6 @@ class SourceForm(Card):
         shown = self._offer is not None and self._offer.key == RECORDING and self.made.list.count() > 0
         self.made.setVisible(shown)
         self.body.setStretch(self.body.count() - 1, 0 if shown else 1)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         self._what.setWordWrap(True)

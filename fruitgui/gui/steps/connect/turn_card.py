@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
@@ -11,6 +11,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.fitting import fitted
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.sensors.turns import Schedule
 from fruitgui.station.turn_plan import TurnPlan
 
@@ -73,7 +74,7 @@ class TurnPicture(QWidget):
         painter.end()
 
 
-class TurnCard(Card):
+class TurnCard(Worded, Card):
     """The picture with its sentences."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -98,12 +99,6 @@ class TurnCard(Card):
         if (plan, sensors) != (self._plan, self._sensors):
             self._plan, self._sensors = plan, sensors
             self._say_words()
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _say_words(self) -> None:
         plan = self._plan

@@ -20,6 +20,7 @@ from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card
 from fruitgui.gui.widgets.histogram import HistogramView
 from fruitgui.gui.widgets.sensor_picture import SensorPicture
+from fruitgui.gui.widgets.worded import Worded
 
 MOST_COLUMNS = 4
 LAYERS_PX = 22
@@ -82,7 +83,7 @@ def columns_for(pictures: int) -> int:
     return max(1, min(MOST_COLUMNS, math.ceil(math.sqrt(pictures)) if pictures != 2 else 2))
 
 
-class LiveLayout(QWidget):
+class LiveLayout(Worded, QWidget):
     """The furniture of the live screen."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -143,12 +144,6 @@ class LiveLayout(QWidget):
             self._shown.move(self.pictures.width() - self._shown.width() - GRID, GRID)
             self._shown.raise_()
         return super().eventFilter(watched, event)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _give_way(self, enlarged: bool) -> None:
         """Give a large picture all the room at the left: only there its labels have words in the least window."""

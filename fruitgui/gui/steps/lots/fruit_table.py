@@ -31,6 +31,7 @@ from fruitgui.gui.widgets.cards import EmptyPlace, label
 from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.kind_mark import mark_pixmap
 from fruitgui.gui.widgets.reach import reach
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.records.fruit_record import FruitRecord
 
 WIDTHS = {
@@ -47,7 +48,7 @@ FIRST_TO_GO = (Column.VIEWS, Column.LENGTH, Column.MASS)
 """Columns that are hidden, in this order, where there is no room; a fruit that is opened shows them all."""
 
 
-class FruitTable(QWidget):
+class FruitTable(Worded, QWidget):
     """Filters over the table.
 
     Attributes:
@@ -109,12 +110,6 @@ class FruitTable(QWidget):
         super().resizeEvent(event)
         self._fit_columns()
         self._look()
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def eventFilter(self, _watched: object, event: Any) -> bool:  # noqa: N802, ANN401 - Qt's name
         """Open a fruit with the keyboard."""

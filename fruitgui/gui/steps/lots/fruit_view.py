@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QEvent, QSize, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
@@ -27,13 +27,14 @@ from fruitgui.gui.widgets.cards import label, set_health
 from fruitgui.gui.widgets.kind_mark import KindMarkView
 from fruitgui.gui.widgets.scrolled import Scrolled
 from fruitgui.gui.widgets.tick_box import TickBox
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.records.fruit_record import FruitRecord
 
 WIDEST_PICTURE, WIDEST_FACTS = 1100, 760
 """Pixels: beyond, a picture shows nothing more, and a fact is far from its name."""
 
 
-class FruitView(QWidget):
+class FruitView(Worded, QWidget):
     """Shows one fruit of a list.
 
     Attributes:
@@ -81,12 +82,6 @@ class FruitView(QWidget):
         """Say whether there are fruit before and after this one."""
         self.before.setEnabled(before)
         self.after.setEnabled(after)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         for one in (self.machine, self.person, self.said):

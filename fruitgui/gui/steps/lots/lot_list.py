@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import date
 from typing import Any
 
-from PySide6.QtCore import QDate, QEvent, QModelIndex, QPoint, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QDate, QModelIndex, QPoint, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QDateEdit,
@@ -30,6 +30,7 @@ from fruitgui.gui.widgets.cards import Card, EmptyPlace, label
 from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.reach import reach
+from fruitgui.gui.widgets.worded import Worded
 
 ROW = 84
 TYPED_MS = 200
@@ -119,7 +120,7 @@ class LotDelegate(QStyledItemDelegate):
         return width
 
 
-class LotList(Card):
+class LotList(Worded, Card):
     """Search fields over the list.
 
     Attributes:
@@ -169,12 +170,6 @@ class LotList(Card):
         """Fill what came into view."""
         super().resizeEvent(event)
         self._look()
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         self.view.setModel(self.model)

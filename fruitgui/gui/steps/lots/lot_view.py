@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QSize, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QLabel, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from fruitgui.gui.numbers import count_text
@@ -17,10 +17,11 @@ from fruitgui.gui.theme.kinds import Looks, kind_marks
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.records.distribution import Distribution
 
 
-class LotView(QWidget):
+class LotView(Worded, QWidget):
     """Shows one lot in two ways.
 
     Attributes:
@@ -98,12 +99,6 @@ class LotView(QWidget):
     def at_fruit(self) -> bool:
         """Whether the fruit are shown."""
         return self._stack.currentWidget() is self._fruit
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         self._icon.setFixedSize(20, 20)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QEvent
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
@@ -15,12 +14,13 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label
 from fruitgui.gui.widgets.histogram import Bars, HistogramView
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.records.distribution import Distribution, Measured
 
 LEAST_WIDTH, LEAST_HEIGHT = 320, 150
 
 
-class Spreads(QWidget):
+class Spreads(Worded, QWidget):
     """Histograms of the four measures."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -53,12 +53,6 @@ class Spreads(QWidget):
         """Show as many as there is room for."""
         super().resizeEvent(event)
         self._arrange()
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         bar = QHBoxLayout(self._bar)

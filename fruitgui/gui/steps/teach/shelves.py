@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QHBoxLayout, QPushButton, QSlider, QToolButton, QWidget
 
@@ -18,6 +18,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.choice_box import ChoiceBox
 from fruitgui.gui.widgets.kind_mark import mark_pixmap
+from fruitgui.gui.widgets.worded import Worded
 
 ICON_PX = 20
 
@@ -49,7 +50,7 @@ class ToolActionButton(QToolButton):
         self.setIconSize(QSize(ICON_PX, ICON_PX))
 
 
-class Shelves(QWidget):
+class Shelves(Worded, QWidget):
     """Buttons for the piles, the kinds of the named fruit, the size of the pictures, and tools.
 
     Attributes:
@@ -112,12 +113,6 @@ class Shelves(QWidget):
         self.piles[shelf.pile].setChecked(True)
         self.kinds.setVisible(shelf.pile is Pile.NAMED)
         self.kinds.setCurrentIndex(max(self.kinds.findData(shelf.kind), 0))
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _say_words(self) -> None:
         self.kinds.setAccessibleName(self.tr("Kind to review"))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QLocale, QRectF, QRegularExpression, QSize, Qt, Signal
+from PySide6.QtCore import QLocale, QRectF, QRegularExpression, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QRegularExpressionValidator
 from PySide6.QtWidgets import QFormLayout, QLabel, QLineEdit, QSizePolicy, QVBoxLayout, QWidget
 
@@ -18,6 +18,7 @@ from fruitgui.gui.view_pictures import ViewPictures
 from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.kind_mark import KindMarkView
 from fruitgui.gui.widgets.scrolled import Scrolled
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.measurement.fruit import Size
 from fruitgui.records.teaching import Brief
 from fruitgui.station.report import ML_PER_M3
@@ -97,7 +98,7 @@ def typed_number(text: str) -> float | None:
     return value if good and 0.0 < value <= LARGEST_MEASURE else None
 
 
-class SidePanel(Card):
+class SidePanel(Worded, Card):
     """Shows one fruit.
 
     Attributes:
@@ -162,12 +163,6 @@ class SidePanel(Card):
     def _show_pictures(self, views: Sequence[ViewPictures]) -> None:
         self.views.show_views(views)
         self.depths.show_views(views)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         self._body = QWidget()

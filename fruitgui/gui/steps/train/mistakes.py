@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QModelIndex, Signal
+from PySide6.QtCore import QModelIndex, Signal
 from PySide6.QtWidgets import QStackedLayout, QVBoxLayout, QWidget
 
 from fruitgui.classification.confusion import Judged
@@ -15,11 +15,12 @@ from fruitgui.gui.theme.kinds import UNKNOWN_MARK, KindMark, kind_marks
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.records.crops import Crops
 from fruitgui.records.training import Trained
 
 
-class MistakesView(QWidget):
+class MistakesView(Worded, QWidget):
     """Held-out fruit that were got wrong, the surest mistake first.
 
     Attributes:
@@ -75,12 +76,6 @@ class MistakesView(QWidget):
         )
         mark, other = (self._marks.get(kind, UNKNOWN_MARK) for kind in (one.fruit.kind, one.vote.kind))
         return Tile(mark, words, guessed=False, measured=False, other=other, sure=sure)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _say_words(self) -> None:
         self._how.setText(

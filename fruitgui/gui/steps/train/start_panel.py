@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QFont, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
@@ -20,6 +20,7 @@ from fruitgui.gui.times import moment_text
 from fruitgui.gui.widgets.cards import Card, label, set_health
 from fruitgui.gui.widgets.fitting import fitted
 from fruitgui.gui.widgets.kind_mark import paint_mark
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.records.models import ModelVersion
 from fruitgui.station.candidate import Candidate
 from fruitgui.station.workflow import FRUIT_PER_KIND, SAMPLES_PER_KIND, TaughtFacts
@@ -94,7 +95,7 @@ def held_out_line(made_s: float, held: Mapping[str, Any]) -> tuple[str, str]:
     return made, f"{interval_text(rate)} · n = {rate.trials}"
 
 
-class StartPanel(QWidget):
+class StartPanel(Worded, QWidget):
     """What is taught at the left, the models at the right."""
 
     def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
@@ -154,12 +155,6 @@ class StartPanel(QWidget):
             made, right = held_out_line(candidate.facts.made_s, candidate.held_out)
             text = self.tr("Waits to be accepted: {made}").format(made=made)
             self.waiting.setText(f"{text}\n     {right}")
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _say_words(self) -> None:
         self.taught.set_title(self.tr("What is taught"))

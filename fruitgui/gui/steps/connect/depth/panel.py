@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from fruitgui.frame import Frame
@@ -16,6 +16,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label, set_health
 from fruitgui.gui.widgets.stepper import Stepper
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.station.depth_watch import Sight
 
 LEFT_WIDTH = 408
@@ -27,7 +28,7 @@ RANGES_MM = {
 }
 
 
-class MeasurePanel(QWidget):
+class MeasurePanel(Worded, QWidget):
     """Shows a stage and takes the length that is typed for it.
 
     Attributes:
@@ -90,12 +91,6 @@ class MeasurePanel(QWidget):
         """Say what speaks against measuring now; nothing where nothing does."""
         self.caution.setText(text)
         self.caution.setVisible(bool(text))
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         left, right = Card(), Card()

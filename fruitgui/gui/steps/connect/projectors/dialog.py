@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal
+from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from fruitgui.errors import FruitguiError
@@ -15,6 +15,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import EmptyPlace, label, set_role
 from fruitgui.gui.widgets.reach import reach
+from fruitgui.gui.widgets.worded import Worded
 from fruitgui.gui.widgets.working import Working
 from fruitgui.station.projector_job import Tried
 from fruitgui.station.projectors import Projectors
@@ -24,7 +25,7 @@ Plan = Callable[[Projectors | None], TurnPlan | None]
 """Gives the turns by what is kept now, or as they would be with what was measured, too."""
 
 
-class ProjectorsDialog(QDialog):
+class ProjectorsDialog(Worded, QDialog):
     """Measures when asked to; what it found is kept only when that is asked for, too.
 
     Args:
@@ -73,12 +74,6 @@ class ProjectorsDialog(QDialog):
         if self._task is not None:
             self._task.cancel()
         super().done(result)
-
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
-        """Take over another language."""
-        if event.type() == QEvent.Type.LanguageChange:
-            self._say_words()
-        super().changeEvent(event)
 
     def _lay_out(self) -> None:
         self._note.setWordWrap(True)
