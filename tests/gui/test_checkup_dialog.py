@@ -14,7 +14,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
-from fruitgui.errors import WorldError
+from fruitgui.errors import CancelledByUserError, WorldError
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots import checkups
 from fruitgui.gui.shots.frozen import FrozenSource, frozen_source, frozen_sources
@@ -193,6 +193,21 @@ def test_another_language_is_taken_over(qtbot: QtBot, opened: Opening, qapp: QAp
     finally:
         language.put_on(qapp, "en")
     qtbot.waitUntil(lambda: "4 sensors; 7 things are wrong." in texts(dialog), timeout=LONG_MS)
+
+
+def test_that_it_was_stopped_is_said_in_another_language_too(qtbot: QtBot, opened: Opening, qapp: QApplication) -> None:
+    def check(progress: Progress, cancelled: Cancelled) -> Checkup:  # noqa: ARG001
+        raise CancelledByUserError
+
+    dialog = opened(check)
+    done(qtbot, dialog)
+    language = Language()
+    try:
+        language.put_on(qapp, "es")
+        qtbot.waitUntil(lambda: "La revisión se detuvo." in texts(dialog), timeout=LONG_MS)
+    finally:
+        language.put_on(qapp, "en")
+    qtbot.waitUntil(lambda: "The check was stopped." in texts(dialog), timeout=LONG_MS)
 
 
 def test_return_closes_it(qtbot: QtBot, opened: Opening) -> None:

@@ -24,6 +24,7 @@ from fruitgui.gui.steps.connect.rules_dialog import RulesDialog
 from fruitgui.gui.tasks import Job, Task, TaskRunner
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
+from fruitgui.gui.told import Words
 from fruitgui.gui.widgets.cards import EmptyPlace, label, set_role
 from fruitgui.gui.widgets.reach import reach
 from fruitgui.gui.widgets.working import Working
@@ -52,7 +53,7 @@ class CheckupDialog(QDialog):
         self._task: Task[Checkup] | None = None
         self._installing: Task[None] | None = None
         self._checkup: Checkup | None = None
-        self._note = ""
+        self._note: Words | None = None
         self.rules: RulesDialog | None = None
         self._title, self._summary = label("", "page"), label("", "dim")
         self._working, self._scroll = Working(), QScrollArea()
@@ -84,7 +85,7 @@ class CheckupDialog(QDialog):
         self._task.failed.connect(self._failed)
         self._task.cancelled.connect(self._stopped)
         self._task.ended.connect(self._ended)
-        self._note = ""
+        self._note = None
         self._show_busy()
 
     def done(self, result: int) -> None:
@@ -158,7 +159,8 @@ class CheckupDialog(QDialog):
             before.deleteLater()
 
     def _show_busy(self) -> None:
-        text = self._note or ("" if self._checkup is None else summary_text(self._checkup))
+        found = "" if self._checkup is None else summary_text(self._checkup)
+        text = found if self._note is None else self._note()
         self._summary.setText(text)
         self._summary.setVisible(bool(text))
         self._working.setVisible(self._task is not None)
@@ -206,12 +208,15 @@ class CheckupDialog(QDialog):
         self._checkup = checkup
 
     def _failed(self, error: FruitguiError) -> None:
-        told = error_words.told(error)
-        self._note = f"{told.what} {told.remedy}"
+        def note() -> str:
+            told = error_words.told(error)
+            return f"{told.what} {told.remedy}"
+
+        self._note = note
         self._show_busy()
 
     def _stopped(self) -> None:
-        self._note = self.tr("The check was stopped.")
+        self._note = lambda: self.tr("The check was stopped.")
 
     def _ended(self) -> None:
         self._task = None
@@ -249,7 +254,9 @@ class CheckupDialog(QDialog):
         self._show_busy()
 
     def _installed(self, _: None) -> None:
-        self._note = self.tr("The rules are installed. Unplug the sensors, plug them in again, and check again.")
+        self._note = lambda: self.tr(
+            "The rules are installed. Unplug the sensors, plug them in again, and check again."
+        )
 
     def _install_ended(self) -> None:
         self._installing = None
