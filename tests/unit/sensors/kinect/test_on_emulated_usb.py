@@ -431,11 +431,11 @@ def _reopened(sensor: KinectSensor) -> None:
 
 
 @inside
-def test_a_hundred_starts_leave_nothing_behind(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+def test_every_start_and_stop_leaves_nothing_behind(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
     usb.plug_in(Kinect("A1"), Kinect("B2"))
     sensors = sensors_of("A1", "B2")
     let_go(sensors)
-    for _ in range(50):
+    for _ in range(10):
         for sensor in sensors:
             sensor.open()
             sensor.start()
