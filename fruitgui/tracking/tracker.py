@@ -36,20 +36,16 @@ class LiveTrack:
 
     Attributes:
         track: its number.
-        time_s: of the last observation.
-        position_m: (3,) centre of volume then, reference frame. covariance_m2: (3, 3) of it.
+        position_m: (3,) centre of volume at the last observation, reference frame. covariance_m2: (3, 3) of it.
         views: how often it was seen.
         whole: how often seen whole.
-        last_seen_s: when last seen.
     """
 
     track: int
-    time_s: float
     position_m: F64
     covariance_m2: F64
     views: int
     whole: int
-    last_seen_s: float
 
 
 class Tracker:
@@ -108,12 +104,10 @@ class Tracker:
         return tuple(
             LiveTrack(
                 track=trail.number,
-                time_s=self._time_s,
                 position_m=position[i].copy(),
                 covariance_m2=covariance[i].copy(),
                 views=trail.views,
                 whole=trail.whole,
-                last_seen_s=trail.last_s,
             )
             for i, trail in enumerate(self._trails)
         )

@@ -14,10 +14,10 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QLineEdit
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.session import Session
+from fruitgui.gui.steps.lots.fruit_details import WIDEST_PICTURE
 from fruitgui.gui.steps.lots.fruit_panel import FruitPanel
 from fruitgui.gui.steps.lots.fruit_rows import COLUMNS, Column, Show
 from fruitgui.gui.steps.lots.fruit_table import WIDEST_KIND
-from fruitgui.gui.steps.lots.fruit_view import WIDEST_PICTURE
 from fruitgui.gui.steps.lots.hand import Deed
 from fruitgui.gui.steps.lots.lot_entry import LotState, Period
 from fruitgui.gui.steps.lots.lot_list import ENTRY

@@ -12,7 +12,7 @@ from concurrent.futures import Future
 from typing import Any
 
 from fruitgui.station.crew import usable_cores
-from fruitgui.station.live.helper import HANDED, Hands, Helper, Look, Weigh
+from fruitgui.station.live.helper import HANDED, Helper, Look, Skills, Weigh
 
 MOST_HELPERS = 3
 """Eight sensors at their rate need no more; each takes a tenth of a gigabyte of memory."""
@@ -22,17 +22,17 @@ class Bench:
     """Hands jobs to whoever has the fewest. Any thread may ask; one owner starts and closes.
 
     Args:
-        hands: what the helpers work with.
+        skills: what the helpers work with.
         helpers: how many there are to be; one for each core, up to three, unless given.
 
     Attributes:
         helpers: all of them, whether they are up or not.
     """
 
-    def __init__(self, hands: Hands, helpers: int | None = None) -> None:
+    def __init__(self, skills: Skills, helpers: int | None = None) -> None:
         count = min(usable_cores(), MOST_HELPERS) if helpers is None else helpers
         self._room = threading.Condition()
-        self.helpers = tuple(Helper(hands, self._tell) for _ in range(count))
+        self.helpers = tuple(Helper(skills, self._tell) for _ in range(count))
 
     def start(self) -> None:
         """Start the helpers."""

@@ -33,8 +33,8 @@ POLITE = 5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Hands:
-    """What can do the work, anywhere: one pair for each thread or process."""
+class Skills:
+    """What perceiving and measuring need to know: a worker is made of it in each thread or process."""
 
     eyes: Mapping[str, Eye]
     rig: Rig
@@ -48,10 +48,10 @@ class Hands:
 class Worker:
     """Perceives and measures, one thing at a time."""
 
-    def __init__(self, hands: Hands) -> None:
-        self._perceivers = {sensor: eye.perceiver() for sensor, eye in hands.eyes.items()}
-        self._names = {sensor: eye.sensor for sensor, eye in hands.eyes.items()}
-        self._judge = Judge(hands.rig, hands.model)
+    def __init__(self, skills: Skills) -> None:
+        self._perceivers = {sensor: eye.perceiver() for sensor, eye in skills.eyes.items()}
+        self._names = {sensor: eye.sensor for sensor, eye in skills.eyes.items()}
+        self._judge = Judge(skills.rig, skills.model)
 
     def do(self, job: Look | Weigh) -> Observation | Judgement:
         """Return what comes of a job."""
@@ -96,12 +96,12 @@ class Helper:
     """Hands jobs to a process of its own. Any thread may ask; one owner starts and closes.
 
     Args:
-        hands: what the process works with.
+        skills: what the process works with.
         on_room: called on a thread of the helper's when a job is done, when the process is up, and when it is gone.
     """
 
-    def __init__(self, hands: Hands, on_room: Callable[[], None]) -> None:
-        self._hands = hands
+    def __init__(self, skills: Skills, on_room: Callable[[], None]) -> None:
+        self._skills = skills
         self._on_room = on_room
         self._jobs: queue.Queue[tuple[Look | Weigh, Future[Any]] | None] = queue.Queue()
         self._asked: queue.Queue[Future[Any]] = queue.Queue()
@@ -117,7 +117,7 @@ class Helper:
         context = multiprocessing.get_context("spawn")
         try:
             self._pipe, theirs = context.Pipe()
-            self._process = context.Process(target=work, args=(self._hands, theirs), daemon=True)
+            self._process = context.Process(target=work, args=(self._skills, theirs), daemon=True)
             self._process.start()
         except OSError:
             self._lost = True
@@ -224,13 +224,13 @@ class JobError(FruitguiError):
         super().__init__("job_failed", what, "The line goes on; if this comes often, calibrate again.")
 
 
-def work(hands: Hands, pipe: Connection) -> None:
+def work(skills: Skills, pipe: Connection) -> None:
     """Do jobs until the pipe is closed; the main of the process."""
     # An interrupt from the keyboard reaches both processes; it is the other one that ends this one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     with contextlib.suppress(OSError, AttributeError):
         os.nice(POLITE)
-    worker = hands.worker()
+    worker = skills.worker()
     try:
         pipe.send(None)
         while True:

@@ -18,7 +18,7 @@ from fruitgui.station.live.counting import Counts, count_all
 from fruitgui.station.live.finishing import Finishing
 from fruitgui.station.live.first_look import FirstLook, Leaving
 from fruitgui.station.live.following import Following
-from fruitgui.station.live.helper import Hands
+from fruitgui.station.live.helper import Skills
 from fruitgui.station.live.intake import LIVE, ClockWatch, Intake
 from fruitgui.station.live.perceiving import Perceived, Perceiving
 from fruitgui.station.live.pictures import Arrivals, Pictures
@@ -74,18 +74,18 @@ class LiveLine:
         self._intake = intake
         self._lot = lot
         self._lineup = line_up(station, feed.infos.values())
-        hands = Hands(self._lineup.eyes, self._lineup.rig, model)
-        self._bench = Bench(hands)
+        skills = Skills(self._lineup.eyes, self._lineup.rig, model)
+        self._bench = Bench(skills)
         self._warnings = Warnings(self._lineup.warnings)
         self._perceiving = Perceiving(
-            self._lineup, self._bench, hands.worker(), self._shift, ClockWatch(intake.jump_s), self._warnings
+            self._lineup, self._bench, skills.worker(), self._shift, ClockWatch(intake.jump_s), self._warnings
         )
         self._following = Following(self._lineup.rig, station, self._bench)
         self._showing = Showing(self._following)
         self._first_look = FirstLook(self._following)
         self._put_right: set[str] = set()
         self._sensors = SensorWatch(self._lineup.station_id, self._following.above, intake.away, self._warnings.add)
-        self._finishing = Finishing(self._lineup.rig, hands.worker(), self._warnings.add)
+        self._finishing = Finishing(self._lineup.rig, skills.worker(), self._warnings.add)
         self._counting = counting
         self._perceived: queue.Queue[Perceived | None] = queue.Queue(PERCEIVED_AHEAD)
         self._parted: queue.Queue[Leaving | None] = queue.Queue(FRUIT_AHEAD)

@@ -2,6 +2,49 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es">
 <context>
+    <name>FruitDetails</name>
+    <message>
+        <source>Back</source>
+        <translation>Volver</translation>
+    </message>
+    <message>
+        <source>Back to the list</source>
+        <translation>Volver a la lista</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>The fruit before this one</source>
+        <translation>La fruta anterior</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>The next fruit</source>
+        <translation>La fruta siguiente</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>Draw the outline that was measured (O); V shows the next picture</source>
+        <translation>Dibujar el contorno medido (O); V muestra la imagen siguiente</translation>
+    </message>
+    <message>
+        <source>{kind}, No. {number}</source>
+        <translation>{kind}, n.º {number}</translation>
+    </message>
+    <message>
+        <source>{row} of {found}</source>
+        <translation>{row} de {found}</translation>
+    </message>
+</context>
+<context>
     <name>FruitPicture</name>
     <message>
         <source>No pictures are kept of this fruit, or they have been deleted with age.</source>
@@ -53,49 +96,6 @@
     <message>
         <source>{count} fruit</source>
         <translation>{count} frutas</translation>
-    </message>
-</context>
-<context>
-    <name>FruitView</name>
-    <message>
-        <source>Back</source>
-        <translation>Volver</translation>
-    </message>
-    <message>
-        <source>Back to the list</source>
-        <translation>Volver a la lista</translation>
-    </message>
-    <message>
-        <source>Before</source>
-        <translation>Anterior</translation>
-    </message>
-    <message>
-        <source>The fruit before this one</source>
-        <translation>La fruta anterior</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Siguiente</translation>
-    </message>
-    <message>
-        <source>The next fruit</source>
-        <translation>La fruta siguiente</translation>
-    </message>
-    <message>
-        <source>Outline</source>
-        <translation>Contorno</translation>
-    </message>
-    <message>
-        <source>Draw the outline that was measured (O); V shows the next picture</source>
-        <translation>Dibujar el contorno medido (O); V muestra la imagen siguiente</translation>
-    </message>
-    <message>
-        <source>{kind}, No. {number}</source>
-        <translation>{kind}, n.º {number}</translation>
-    </message>
-    <message>
-        <source>{row} of {found}</source>
-        <translation>{row} de {found}</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@ from fruitgui.geometry.rig import Mount, Rig
 from fruitgui.simulation.device import KINECT_COLOR
 from fruitgui.station.crew import Eye
 from fruitgui.station.live.bench import Bench
-from fruitgui.station.live.helper import HANDED, Hands, HelperLostError, Look
+from fruitgui.station.live.helper import HANDED, HelperLostError, Look, Skills
 from tests.unit.perception.spheres import Ball, Table
 
 TABLE = Table((Ball(0.0, 0.0, 0.035, (200, 60, 40)),), tilt_rad=0.0, intrinsics=KINECT_COLOR, seed=1)
@@ -21,15 +21,15 @@ PATIENCE_S = 60.0
 
 
 @pytest.fixture
-def hands() -> Hands:
+def skills() -> Skills:
     frame = TABLE.frame()
     rig = Rig(frame.sensor, {frame.sensor: Mount(frame.sensor, Pose.exact(), TABLE.surface(), KINECT_COLOR)})
-    return Hands({frame.sensor: Eye(frame.sensor, KINECT_COLOR, TABLE.surface())}, rig, None)
+    return Skills({frame.sensor: Eye(frame.sensor, KINECT_COLOR, TABLE.surface())}, rig, None)
 
 
 @pytest.fixture
-def bench(hands: Hands) -> Iterator[Bench]:
-    bench = Bench(hands, helpers=2)
+def bench(skills: Skills) -> Iterator[Bench]:
+    bench = Bench(skills, helpers=2)
     bench.start()
     try:
         _until(lambda: all(helper.works for helper in bench.helpers))
@@ -38,8 +38,8 @@ def bench(hands: Hands) -> Iterator[Bench]:
         bench.close()
 
 
-def test_jobs_go_to_whoever_has_the_fewest_and_wait_for_room(bench: Bench, hands: Hands) -> None:
-    expected = hands.worker().look(Look(TABLE.frame(), 1.0))
+def test_jobs_go_to_whoever_has_the_fewest_and_wait_for_room(bench: Bench, skills: Skills) -> None:
+    expected = skills.worker().look(Look(TABLE.frame(), 1.0))
     most = 0
     answers = []
     for number in range(12):
@@ -79,8 +79,8 @@ def test_the_other_helper_goes_on_when_one_dies_and_nobody_waits_when_all_have(b
     assert not bench.idle
 
 
-def test_without_helpers_nobody_takes_anything(hands: Hands) -> None:
-    bench = Bench(hands, helpers=0)
+def test_without_helpers_nobody_takes_anything(skills: Skills) -> None:
+    bench = Bench(skills, helpers=0)
     bench.start()
     assert bench.hand(Look(TABLE.frame(), 1.0)) is None
     assert not bench.idle

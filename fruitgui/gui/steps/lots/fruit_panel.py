@@ -9,10 +9,10 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from fruitgui.gui.steps.lots.desk import Desk
+from fruitgui.gui.steps.lots.fruit_details import FruitDetails
 from fruitgui.gui.steps.lots.fruit_pictures import ShownFruit
 from fruitgui.gui.steps.lots.fruit_rows import Wanted
 from fruitgui.gui.steps.lots.fruit_table import FruitTable
-from fruitgui.gui.steps.lots.fruit_view import FruitView
 from fruitgui.gui.steps.lots.hand import Deed, Word
 from fruitgui.gui.steps.lots.hand_bar import HandBar
 from fruitgui.gui.theme.kinds import KindMark
@@ -38,7 +38,7 @@ class FruitPanel(Card):
         self._marks: Mapping[str, KindMark] = {}
         self._row = 0
         self._stack = QStackedWidget(self)
-        self.table, self.large = FruitTable(theme, self._stack), FruitView(theme, self._stack)
+        self.table, self.large = FruitTable(theme, self._stack), FruitDetails(theme, self._stack)
         self.hand = HandBar(theme, self)
         self._stack.addWidget(self.table)
         self._stack.addWidget(self.large)

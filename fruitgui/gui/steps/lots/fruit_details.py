@@ -34,7 +34,7 @@ WIDEST_PICTURE, WIDEST_FACTS = 1100, 760
 """Pixels: beyond, a picture shows nothing more, and a fact is far from its name."""
 
 
-class FruitView(Worded, QWidget):
+class FruitDetails(Worded, QWidget):
     """Shows one fruit of a list.
 
     Attributes:
