@@ -13,9 +13,10 @@ from fruitgui.progress import never_cancelled
 from fruitgui.sensors.sensor import Sensor
 from fruitgui.simulation.ahead import SimulatedRig
 from fruitgui.station.devices import Known, connected_devices, known_by_workspace, named_by_serial
-from fruitgui.station.projector_job import Pair, Tried, try_devices
+from fruitgui.station.projector_job import try_devices
 from fruitgui.station.projectors import Projectors
 from fruitgui.station.sources import PRESETS
+from fruitgui.station.tried import Pair, Tried
 from fruitgui.station.workspace import default_folder, open_workspace
 
 if TYPE_CHECKING:

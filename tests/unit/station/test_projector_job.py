@@ -17,8 +17,9 @@ from fruitgui.errors import CancelledByUserError, InputError, WorldError
 from fruitgui.sensors.feed import Feed
 from fruitgui.sensors.sensor import Projector
 from fruitgui.station import projector_job
-from fruitgui.station.projector_job import Tried, try_projectors
+from fruitgui.station.projector_job import try_projectors
 from fruitgui.station.projectors import Projectors
+from fruitgui.station.tried import Tried
 from fruitgui.station.turn_plan import schedule_of
 from fruitgui.station.written import read_written, write_written
 from tests.unit.sensors.lit_room import LitRoom, LitSensor

@@ -15,8 +15,9 @@ from fruitgui.gui.steps.connect.projectors.dialog import ProjectorsDialog
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.told import Told
 from fruitgui.progress import Cancelled, Progress
-from fruitgui.station.projector_job import Tried, lasts_s, try_projectors
+from fruitgui.station.projector_job import lasts_s, try_projectors
 from fruitgui.station.projectors import Projectors
+from fruitgui.station.tried import Tried
 from fruitgui.station.turn_plan import TurnPlan
 
 

@@ -17,8 +17,8 @@ from fruitgui.gui.widgets.cards import EmptyPlace, label, set_role
 from fruitgui.gui.widgets.reach import reach
 from fruitgui.gui.widgets.worded import Worded
 from fruitgui.gui.widgets.working import Working
-from fruitgui.station.projector_job import Tried
 from fruitgui.station.projectors import Projectors
+from fruitgui.station.tried import Tried
 from fruitgui.station.turn_plan import TurnPlan
 
 Plan = Callable[[Projectors | None], TurnPlan | None]

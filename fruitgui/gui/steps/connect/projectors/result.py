@@ -17,7 +17,7 @@ from fruitgui.gui.steps.connect.projectors.words import (
 )
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import Card, label, set_health
-from fruitgui.station.projector_job import Pair, Tried
+from fruitgui.station.tried import Pair, Tried
 from fruitgui.station.turn_plan import TurnPlan
 
 translate = QCoreApplication.translate

@@ -22,8 +22,8 @@ from fruitgui.gui.tasks import Job, TaskRunner
 from fruitgui.progress import Cancelled, Progress, stop_if
 from fruitgui.sensors.turns import Light, Settling, turns
 from fruitgui.simulation.scenes import still_scene
-from fruitgui.station.projector_job import Pair, Tried
 from fruitgui.station.projectors import MeasuredSettling, Projectors
+from fruitgui.station.tried import Pair, Tried
 from fruitgui.station.turn_plan import TurnPlan
 from fruitgui.station.workflow import Step
 
