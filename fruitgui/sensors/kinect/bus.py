@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -63,6 +64,11 @@ class _Listed:
     serial_index: int
     bus: int
 
+    @property
+    def model(self) -> Model | None:
+        """Which Kinect's camera it is; None where it is none."""
+        return camera_model(self.vendor, self.product, self.release)
+
 
 class Bus:
     """A context of libusb: `open` it, or use it in a `with`. Not thread-safe.
@@ -103,7 +109,7 @@ class Bus:
     def cameras(self) -> list[Camera]:
         """Return the cameras in libfreenect's order, with those that may not be opened."""
         with self._listed() as devices:
-            return list(self._cameras(devices))
+            return [camera for _, camera in self._named(devices)]
 
     def open_motor(self, serial: str) -> ctypes.c_void_p | None:
         """Open the motor that belongs to a camera, until `close_motor`; None where none certainly does.
@@ -112,8 +118,7 @@ class Bus:
         camera's place in the list, which may be another Kinect's.
         """
         with self._listed() as devices:
-            cameras = [one for one in devices if camera_model(one.vendor, one.product, one.release) is not None]
-            mine = [one for one in cameras if self._serial_of(one, devices)[0] == serial]
+            mine = [device for device, camera in self._named(devices) if camera.serial == serial]
             motor = _part_of(mine[0], devices, is_motor) if len(mine) == 1 else None
             handle = None if motor is None else self._open(motor)
             if handle is not None and self._usb.claim_interface(handle, 0) < 0:
@@ -132,14 +137,31 @@ class Bus:
         got = self._usb.control_transfer(handle, kind, request, value & 0xFFFF, 0, buffer, length, 250)
         return buffer.raw[:got] if got >= 0 else None
 
-    def _cameras(self, devices: list[_Listed]) -> Iterator[Camera]:
-        index = 0
-        for device in devices:
-            model = camera_model(device.vendor, device.product, device.release)
-            if model is not None:
-                serial, unknown = self._serial_of(device, devices)
-                yield Camera(index, serial, model, device.bus, device.release, unknown)
-                index += 1
+    def _named(self, devices: list[_Listed]) -> list[tuple[_Listed, Camera]]:
+        """Return the cameras in their order, each as listed and as known.
+
+        All are asked for their serials at once: each that does not answer costs a second, and several no more than one.
+        """
+        cameras = [(one, model) for one in devices if (model := one.model) is not None]
+        serials: dict[int, tuple[str, Unknown | None]] = {}
+
+        def ask(place: int) -> None:
+            serials[place] = self._serial_of(cameras[place][0], devices)
+
+        others = [
+            threading.Thread(target=ask, args=(place,), name=f"kinect {place} asked", daemon=True)
+            for place in range(1, len(cameras))
+        ]
+        for thread in others:
+            thread.start()
+        if cameras:
+            ask(0)
+        for thread in others:
+            thread.join()
+        return [
+            (one, Camera(place, serials[place][0], model, one.bus, one.release, serials[place][1]))
+            for place, (one, model) in enumerate(cameras)
+        ]
 
     def _serial_of(self, camera: _Listed, devices: list[_Listed]) -> tuple[str, Unknown | None]:
         """Return a camera's serial, and why it is not known where it is empty."""
@@ -191,7 +213,7 @@ def _part_of(camera: _Listed, devices: list[_Listed], is_part: Callable[[int, in
     Where hubs are not told, or are not the Kinects' own, as in a virtual machine, all of a bus hang together.
     """
     beside = [one for one in devices if (one.bus, one.parent) == (camera.bus, camera.parent)]
-    cameras = [one for one in beside if camera_model(one.vendor, one.product, one.release) is not None]
+    cameras = [one for one in beside if one.model is not None]
     parts = [one for one in beside if is_part(one.vendor, one.product)]
     return parts[0] if len(cameras) == len(parts) == 1 else None
 

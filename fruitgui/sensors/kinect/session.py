@@ -21,8 +21,8 @@ from fruitgui.sensors.kinect.faults import hangs, not_obeyed, not_there
 T = TypeVar("T")
 
 OPEN_S, ORDER_S, CLOSE_S = 10.0, 2.0, 1.5
-"""Opening some models resets a part of them, which is waited for three seconds, and each device beside it that does not
-answer costs a second whenever all are looked at; all else is done in milliseconds."""
+"""Opening some models resets a part of them, which is waited for three seconds, and devices beside it that do not
+answer cost a second whenever all are looked at; all else is done in milliseconds."""
 
 _EVENTS_S = 0.01
 """So long an order waits, at most, for the thread to hear it."""

@@ -416,6 +416,25 @@ def test_one_that_answers_without_a_byte_for_ever_is_named(usb: Emulation, tmp_p
     usb.hang(0, Hang.NOTHING)
 
 
+@inside
+def test_opening_ends_in_time_however_many_others_do_not_answer(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    """Each that is mute keeps whoever asks for its serial waiting a second, and all are asked more than once."""
+    mute = tuple(f"M{number}" for number in range(6))
+    usb.plug_in(Kinect("A1"), *(Kinect(serial) for serial in mute))
+    let_go(sensors_of("A1"))  # what is loaded and made for the first time does not count
+    for number in range(1, 1 + len(mute)):
+        usb.hang(number, Hang.CONTROL)
+    for serial, code in (("A1", ""), ("M3", "sensor_hangs")):
+        sensor = KinectDriver().sensor(serial)
+        began_s = time.monotonic()
+        if code:
+            assert _code(sensor) == code
+        else:
+            sensor.open()
+        assert time.monotonic() - began_s < session.OPEN_S
+        sensor.close()
+
+
 def _reopened(sensor: KinectSensor) -> None:
     end_s = time.monotonic() + 30.0
     while True:
