@@ -96,7 +96,7 @@ class SharedStream:
         with self._changed:
             while True:
                 self._hand_out()
-                if self._queues[sensor]:
+                if self._queues[sensor] and sensor in self._running:
                     self._changed.notify_all()
                     return self._queues[sensor].popleft()
                 self._check(sensor, timeout_s, until_s)

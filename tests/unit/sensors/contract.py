@@ -7,12 +7,14 @@ import time
 import numpy as np
 import pytest
 
-from fruitgui.errors import FruitguiError
+from fruitgui.errors import FruitguiError, WorldError
 from fruitgui.frame import Frame
 from fruitgui.sensors.sensor import EndOfStreamError, Projector, Sensor, SensorTimeoutError
 from fruitgui.station.station_file import SENSOR_ID
 
 LONGEST_S = 30.0
+WAIT_S, PATIENCE_S = 0.1, 10.0
+"""So long a read waits that gives nothing; and what of it may come late, however busy the machine is."""
 NEAREST_MM, FARTHEST_MM = 100, 20_000
 """Whoever gave metres or tenths of millimetres would lie outside of this."""
 
@@ -24,14 +26,16 @@ def walk(sensor: Sensor, frames: int = 6) -> None:
     assert before.rate_hz > 0
     sensor.stop()
     sensor.close()
-    with pytest.raises(FruitguiError):
-        sensor.read(0.05)
+    check_gives_nothing(sensor)
     for _ in range(2):
         sensor.open()
+        check_gives_nothing(sensor)
         sensor.start()
         came = [next_frame(sensor) for _ in range(frames)]
+        assert came[0].sequence >= 0
         check(came, sensor)
         sensor.stop()
+        check_gives_nothing(sensor)
         sensor.start()
         check([next_frame(sensor) for _ in range(frames)], sensor)
         if sensor.info.projector is Projector.SWITCHED:
@@ -40,8 +44,7 @@ def walk(sensor: Sensor, frames: int = 6) -> None:
             sensor.stop()
         for _ in range(2):
             sensor.close()
-        with pytest.raises(FruitguiError):
-            sensor.read(0.05)
+        check_gives_nothing(sensor)
     after = sensor.info
     assert (after.sensor, after.make, after.serial, after.rate_hz) == (
         before.sensor, before.make, before.serial, before.rate_hz,
@@ -82,17 +85,70 @@ def check(frames: list[Frame], sensor: Sensor) -> None:
     )
 
 
+def check_gives_nothing(sensor: Sensor) -> None:
+    """See that a sensor that does not run says so, in words, at once or when the time is up."""
+    for wait_s in (0.0, WAIT_S):
+        began_s = time.monotonic()
+        with pytest.raises(FruitguiError) as said:
+            sensor.read(wait_s)
+        assert time.monotonic() - began_s < wait_s + PATIENCE_S
+        assert said.value.code
+        assert said.value.remedy
+
+
+def check_is_refused(sensor: Sensor) -> None:
+    """See that a sensor that is not there says so, each time, and is still known by its name."""
+    before = sensor.info
+    for _ in range(2):
+        with pytest.raises(WorldError) as said:
+            sensor.open()
+        assert said.value.code
+        assert said.value.remedy
+        check_gives_nothing(sensor)
+        for _ in range(2):
+            sensor.stop()
+            sensor.close()
+    assert sensor.info == before
+
+
+def check_waits(sensor: Sensor) -> None:
+    """See that a sensor of which nothing comes keeps its reader waiting for as long as it was told to."""
+    began_s = time.monotonic()
+    with pytest.raises(SensorTimeoutError) as silence:
+        sensor.read(WAIT_S)
+    assert WAIT_S * 0.9 < time.monotonic() - began_s < WAIT_S + PATIENCE_S
+    assert silence.value.remedy
+    with pytest.raises(SensorTimeoutError):
+        sensor.read(0.0)
+
+
+def check_end(sensor: Sensor, frames: int) -> None:
+    """See that a sensor that plays so many frames says when it is over, as often as it is asked."""
+    sensor.open()
+    sensor.start()
+    for _ in range(frames):
+        next_frame(sensor)
+    for _ in range(2):
+        with pytest.raises(EndOfStreamError):
+            next_frame(sensor)
+    sensor.stop()
+    sensor.close()
+    sensor.open()
+    sensor.start()
+    next_frame(sensor)
+    sensor.stop()
+    sensor.close()
+
+
 def check_darkness(sensor: Sensor) -> None:
     """See that nothing comes in the dark, and that it comes again in the light."""
     sensor.projector(on=False)
-    with pytest.raises(SensorTimeoutError):
-        sensor.read(0.3)
+    check_waits(sensor)
     sensor.projector(on=True)
     next_frame(sensor)
     sensor.stop()
     sensor.projector(on=False)
     sensor.start()
-    with pytest.raises(SensorTimeoutError):
-        sensor.read(0.3)
+    check_waits(sensor)
     sensor.projector(on=True)
     next_frame(sensor)

@@ -20,7 +20,7 @@ from fruitgui.simulation.supply import LineOptions
 from tests.emulated_usb.emulation import MODEL_1473, Emulation, Kinect
 from tests.emulated_usb.outside import inside
 from tests.emulated_usb.player import Player
-from tests.unit.sensors.contract import next_frame, walk
+from tests.unit.sensors.contract import check_end, check_is_refused, check_waits, next_frame, walk
 from tests.unit.sensors.scripted import ScriptedSensor, small_frame
 
 RIG = LineOptions(rig_seed=1, layout="single")
@@ -49,6 +49,7 @@ def test_playback(tmp_path: Path, no_leaked_threads: None) -> None:  # noqa: ARG
     for played in recorded_sensors(path, FlatOut(), looped=False):
         walk(played)
         walk(NamedSensor(played, "renamed"))
+        check_end(played, frames=20)
 
 
 @inside
@@ -57,21 +58,38 @@ def test_kinect_on_the_emulated_bus(usb: Emulation, tmp_path: Path) -> None:  # 
     with Player(usb, wait_ms=2000):
         for serial in ("A1", "B2"):
             walk(KinectDriver().sensor(serial))
+    check_is_refused(KinectDriver().sensor("C3"))
+    sensor = KinectDriver().sensor("A1")
+    sensor.open()
+    sensor.start()
+    check_waits(sensor)  # nobody sends anything any more
+    sensor.close()
 
 
 class Steady(ScriptedSensor):
-    """Gives small frames for ever, while it is open."""
+    """Gives small frames for ever, while it runs; or at another time, as a test says."""
 
     count = 0
+    runs = False
+
+    def __init__(self, name: str, always: Callable[[Steady], bool] = lambda _: False) -> None:
+        super().__init__(name)
+        self._always = always
+
+    def start(self) -> None:
+        self.runs = True
+
+    def stop(self) -> None:
+        self.runs = False
 
     def read(self, timeout_s: float) -> Frame:
-        if self.opened == self.closed:
+        if not self.runs and not self._always(self):
             return super().read(timeout_s)
         self.count += 1
         return replace(small_frame("steady", self.count), depth_mm=np.full((6, 8), 900 + self.count, np.uint16))
 
     def close(self) -> None:
-        self.closed = self.opened
+        self.runs, self.closed = False, self.opened
 
 
 class Spoiled(NamedSensor):
@@ -110,3 +128,18 @@ def test_the_walk_sees_what_is_wrong(spoil: Callable[[Frame], Frame]) -> None:
     walk(Spoiled(Steady("steady"), lambda frame: replace(frame, sensor="spoiled")))
     with pytest.raises(AssertionError):
         walk(Spoiled(Steady("steady"), lambda frame: spoil(replace(frame, sensor="spoiled"))))
+
+
+@pytest.mark.parametrize(
+    "always",
+    [
+        lambda sensor: sensor.opened == 0,
+        lambda sensor: sensor.opened > sensor.closed and sensor.count == 0,
+        lambda sensor: sensor.opened > sensor.closed and sensor.count > 0,
+        lambda sensor: sensor.opened == sensor.closed > 0,
+    ],
+    ids=["before it is opened", "before it is started", "after it was stopped", "after it was closed"],
+)
+def test_the_walk_sees_a_sensor_that_gives_what_nobody_asked_for(always: Callable[[Steady], bool]) -> None:
+    with pytest.raises(pytest.fail.Exception):
+        walk(Steady("steady", always))

@@ -14,6 +14,7 @@ from fruitgui.sensors.feed import Feed, WaitForRoom
 from fruitgui.sensors.named import NamedSensor
 from fruitgui.sensors.player import AtSpeed, FlatOut, Pace, recorded_sensors
 from fruitgui.sensors.recordings import RecordingWriter, open_recording
+from tests.unit.sensors.contract import check_gives_nothing, next_frame
 from tests.unit.sensors.scripted import ScriptedSensor, small_frame, until
 
 pytestmark = pytest.mark.usefixtures("no_leaked_threads")
@@ -91,6 +92,21 @@ def test_it_can_be_opened_again_and_begins_anew(recording: Path) -> None:
         for sensor in (left, right):
             sensor.stop()
             sensor.close()
+
+
+def test_one_that_does_not_run_gives_nothing_that_another_ones_reading_drew(recording: Path) -> None:
+    left, right = recorded_sensors(recording, FlatOut())
+    for sensor in (left, right):
+        sensor.open()
+    left.start()
+    for _ in range(2):
+        assert [next_frame(left).sensor for _ in range(4)] == ["left"] * 4
+        check_gives_nothing(right)
+        right.start()
+        assert next_frame(right).sensor == "right"
+        right.stop()
+    for sensor in (left, right):
+        sensor.close()
 
 
 def test_its_sensors_are_those_of_the_recording(recording: Path) -> None:
