@@ -41,8 +41,9 @@ class OrbbecCamera:
         self._pipeline = pipeline
         placed = depth.get_extrinsic_to(color)
         pose = Pose(np.array(placed.rot, dtype=np.float64).reshape(3, 3), np.ravel(placed.transform) * 1e-3)
-        name = str(self._device.get_device_info().get_name())
-        return Opened(name, _camera(color), Registration(depth=_camera(depth), color=_camera(color), pose=pose))
+        says = self._device.get_device_info()
+        registration = Registration(depth=_camera(depth), color=_camera(color), pose=pose)
+        return Opened(str(says.get_name()), registration.color, registration, str(says.get_firmware_version()))
 
     def next(self, timeout_s: float) -> Shot | None:
         """Return the next capture; None where none comes in time. Raises `WorldError` where the device is gone."""

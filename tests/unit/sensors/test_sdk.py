@@ -179,7 +179,9 @@ class LooksLikeOrbbec:
 
     def Context(self) -> Any:  # noqa: ANN401, N802
         device = SimpleNamespace(
-            get_device_info=lambda: SimpleNamespace(get_name=lambda: "Orbbec Gemini 2"),
+            get_device_info=lambda: SimpleNamespace(
+                get_name=lambda: "Orbbec Gemini 2", get_firmware_version=lambda: "1.4.60"
+            ),
             set_bool_property=self.properties.__setitem__,
         )
         devices = SimpleNamespace(
@@ -236,6 +238,7 @@ def test_orbbec() -> None:
     sensor.start()
     frame = sensor.read(5.0)
     assert frame.depth_mm[3, 3] == shot(ob.number).depth_mm[3, 3]
+    assert (sensor.info.model, sensor.info.firmware) == ("Orbbec Gemini 2", "1.4.60")
     assert sensor.lock_color(True)
     assert set(ob.properties.values()) == {False}
     ob.serials.clear()
