@@ -86,6 +86,8 @@ class Frame:
         felt_m_s2: what the sensor's accelerometer felt lately, in axes of its own: gravity, as long as it stands still;
             None where there is none.
         clock_leaps: how often the sensor's clock has leapt since it was opened; `time_s` goes on by the host's then.
+        time_sure: whether `time_s` can be believed; not yet, while it only shows how a device's clock stands to the
+            host's, which takes less than a second mostly. What orders frames by their times lets go of the others.
     """
 
     sensor: str
@@ -97,6 +99,7 @@ class Frame:
     damaged: bool = False
     felt_m_s2: tuple[float, float, float] | None = None
     clock_leaps: int = 0
+    time_sure: bool = True
 
     def points(self) -> F32:
         """Return every pixel's point in the optical frame, metres: (height, width, 3), zeros where no reading."""

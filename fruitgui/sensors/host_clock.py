@@ -20,11 +20,22 @@ _JUMPED_FRAMES, _INSISTS_S = 3, 0.2
 waited for a host that stood still comes all at once."""
 _SHORTEST_STEP_S = 1e-4
 
+_SOONER_S, _STEADY_S = 0.005, 0.5
+"""A clock is known once, for so long, no picture came sooner than all before by more than this."""
+_DOUBTED_S, _TRUSTED_S = 2.0, 10.0
+"""It is doubted no longer than this, and not again for so long: some give no better times, ever."""
+
 
 class DeviceClock(Protocol):
     """Brings a device's times to another clock; see `HostClock`."""
 
-    jumps: int
+    @property
+    def jumps(self) -> int:
+        """How often the device's clock leapt."""
+
+    @property
+    def sure(self) -> bool:
+        """Whether the time that was given last can be believed."""
 
     def time_s(self, device_s: float, arrived_s: float) -> float:
         """Return when a capture was taken."""
@@ -37,7 +48,8 @@ class HostClock:
     soonest counts, and the line below all of these that lies closest to them
     (as Moon, Skelly and Towsley, INFOCOM 1999, for packets) is the device's
     clock in the host's: what is left over is the least time that a picture
-    takes. A clock that jumps is noticed, and its line begun anew.
+    takes. A clock that jumps is noticed, and its line begun anew. The first
+    times on a line may be too late by as much as a busy host was, and are not sure.
 
     Attributes:
         jumps: how often it did.
@@ -49,12 +61,19 @@ class HostClock:
         self._odd, self._odd_from_s = 0, 0.0
         self._newest_s = -math.inf
         self._given_s: float | None = None
+        self._held_back_s = 0.0
+        self._doubt = _Doubt()
         self.jumps = 0
+
+    @property
+    def sure(self) -> bool:
+        """Whether the time that was given last can be believed to some ms, or is as good as any will be."""
+        return self._doubt.over and self._held_back_s <= _SOONER_S
 
     def hear(self, device_s: float, arrived_s: float) -> None:
         """Take in a picture whose time nobody asks for: colour comes all the time, depth only in its turns."""
         if not self._soonest or self._is_usual(device_s, arrived_s - device_s):
-            self._note(device_s, arrived_s - device_s)
+            self._learn(device_s, arrived_s)
 
     def time_s(self, device_s: float, arrived_s: float) -> float:
         """Return when a picture was taken; always later than the one before.
@@ -66,8 +85,14 @@ class HostClock:
         if self._soonest and not (device_s > self._newest_s and self._is_usual(device_s, late_s)):
             return self._odd_one(device_s, late_s, arrived_s)
         self._odd, self._newest_s = 0, device_s
-        self._note(device_s, late_s)
+        self._learn(device_s, arrived_s)
         return self._later(self._soonest[-1][0], device_s)
+
+    def _learn(self, device_s: float, arrived_s: float) -> None:
+        late_s = arrived_s - device_s
+        fell = not self._soonest or self._off_s(device_s, late_s)[0] < -_SOONER_S
+        self._doubt.hear(device_s, arrived_s, fell=fell)
+        self._note(device_s, late_s)
 
     def _off_s(self, device_s: float, late_s: float) -> tuple[float, float]:
         """Return by how much later than the soonest a picture came, and how unsure that is."""
@@ -91,12 +116,13 @@ class HostClock:
         only_late = device_s > self._newest_s and self._off_s(device_s, late_s)[0] > 0.0
         if only_late and (self._odd < _JUMPED_FRAMES or arrived_s - self._odd_from_s < _INSISTS_S):
             return self._later(self._soonest[-1][0], device_s)
+        self._doubt.begin(arrived_s)
         if self._odd < _JUMPED_FRAMES:
             return self._forward(arrived_s)
         self._odd, self._newest_s = 0, device_s
         self.jumps += 1
         self._soonest.clear()
-        self._note(device_s, late_s)
+        self._learn(device_s, arrived_s)
         return self._later(device_s, device_s)
 
     def _note(self, device_s: float, late_s: float) -> None:
@@ -113,10 +139,39 @@ class HostClock:
         return self._forward(device_s + offset_s + drift * (device_s - origin_s))
 
     def _forward(self, time_s: float) -> float:
-        if self._given_s is not None:
-            time_s = max(time_s, self._given_s + _SHORTEST_STEP_S)
-        self._given_s = time_s
-        return time_s
+        given_s = time_s if self._given_s is None else max(time_s, self._given_s + _SHORTEST_STEP_S)
+        self._given_s, self._held_back_s = given_s, given_s - time_s
+        return given_s
+
+
+class _Doubt:
+    """Whether a clock's line is known yet.
+
+    What comes sooner than all before shows that those came late. That nothing did for a while, by both clocks, shows
+    that they did not: what waited for the host comes all at once.
+
+    Attributes:
+        over: whether it is known, or has been doubted for long enough.
+    """
+
+    def __init__(self) -> None:
+        self._began_s: float | None = None
+        self._steady_from_s = (math.inf, math.inf)
+        self.over = False
+
+    def begin(self, arrived_s: float) -> None:
+        """Begin to doubt, unless that was done lately."""
+        if self._began_s is None or arrived_s - self._began_s >= _TRUSTED_S:
+            self._began_s, self.over = arrived_s, False
+
+    def hear(self, device_s: float, arrived_s: float, *, fell: bool) -> None:
+        """Take in a picture; `fell` tells whether it came sooner than all before."""
+        began_s = self._began_s = arrived_s if self._began_s is None else self._began_s
+        if fell:
+            self._steady_from_s = (device_s, arrived_s)
+        device_from_s, from_s = self._steady_from_s
+        steady = min(device_s - device_from_s, arrived_s - from_s) >= _STEADY_S
+        self.over = self.over or steady or arrived_s - began_s >= _DOUBTED_S
 
 
 def _bin(device_s: float) -> int:

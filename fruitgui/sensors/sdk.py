@@ -180,12 +180,12 @@ class SdkSensor:
         """Return a frame of its own memory; numbers that the device left out are missing in its sequence too."""
         skipped = 0 if self._last_number < 0 else shot.number - self._last_number - 1
         self._last_number, self._sequence = shot.number, self._sequence + 1 + skipped
+        time_s = self._clock.time_s(shot.device_s, time.monotonic())
         registration = self._opened.registration
         depth_mm = shot.depth_mm.copy() if registration is None else registration.apply(shot.depth_mm)
-        time_s = self._clock.time_s(shot.device_s, time.monotonic())
         return Frame(
             self._name, self._sequence, time_s, shot.color.copy(), depth_mm, self._opened.color,
-            clock_leaps=self._clock.jumps,
+            clock_leaps=self._clock.jumps, time_sure=self._clock.sure,
         )  # fmt: skip
 
     def _taken(self) -> Camera:

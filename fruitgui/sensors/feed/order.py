@@ -14,7 +14,10 @@ Heads = Mapping[str, "Arrival"]
 
 
 class Order(Protocol):
-    """Says whose frame leaves next. Called with the queue's lock held, by its one reader."""
+    """Says whose frame leaves next. Called with the queue's lock held."""
+
+    def takes(self, arrival: Arrival) -> bool:
+        """Tell whether a frame has a place in this order."""
 
     def next(self, heads: Heads, absent: Collection[str], now_s: float) -> tuple[str | None, float]:
         """Return (the sensor whose oldest frame leaves now, 0), or (None, how long to wait before asking again).
@@ -32,6 +35,10 @@ class Order(Protocol):
 class ByArrival:
     """As they came."""
 
+    def takes(self, arrival: Arrival) -> bool:  # noqa: ARG002 - stamps say nothing here
+        """Take every frame."""
+        return True
+
     def shift(self, offsets_s: Mapping[str, float]) -> None:
         """Do nothing: stamps say nothing here."""
 
@@ -44,7 +51,7 @@ class ByCapture:
     """In the order in which they were captured; a late sensor is waited for, a silent one is not.
 
     A frame leaves when no sensor that runs can still bring an earlier one, at the latest `patience_s` after it came.
-    Frames of one sensor stay in their order.
+    Frames of one sensor stay in their order. One whose time is not sure has no place: its fruit would be elsewhere.
 
     Args:
         offsets_s: by sensor, added to its stamps gives the common clock; 0 where not named.
@@ -58,6 +65,10 @@ class ByCapture:
         self._heard_s: dict[str, float] = {}
         self._left_s = -math.inf
         self.late = 0
+
+    def takes(self, arrival: Arrival) -> bool:
+        """Take frames whose times are sure."""
+        return arrival.frame.time_sure
 
     def time_s(self, arrival: Arrival) -> float:
         """Return a frame's capture time in the common clock."""

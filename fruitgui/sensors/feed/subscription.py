@@ -87,10 +87,10 @@ class Subscription:
         self._closed = False
 
     def put(self, arrival: Arrival) -> None:
-        """Take in a frame; called by the sensor's own thread."""
+        """Take in a frame, if it has a place in the order; called by the sensor's own thread."""
         sensor = arrival.frame.sensor
         with self._changed:
-            if self._closed:
+            if self._closed or not self._order.takes(arrival):
                 return
             self._running.add(sensor)
             self._dropped[sensor] += self._room.make(self._queues[sensor], self._changed, lambda: self._closed)

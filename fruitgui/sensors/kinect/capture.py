@@ -27,12 +27,14 @@ class Capture:
         sequence: counts what the device took while its projector was on, from 0.
         time_s: when depth was taken, by the host's monotonic clock.
         clock_leaps: how often the device's clock has leapt by then: whatever is read next tells of it.
+        time_sure: whether the time can be believed.
     """
 
     pair: Pair
     sequence: int
     time_s: float
     clock_leaps: int
+    time_sure: bool
 
 
 class Captures:
@@ -103,7 +105,7 @@ class Captures:
         self._sequence += 1 if self._last is None else _steps(self._last, depth)
         self._last = depth
         time_s = self._clock.time_s(depth.ticks / TICKS_PER_S, depth.arrived_s)
-        return Capture(pair, self._sequence, time_s, self._clock.jumps)
+        return Capture(pair, self._sequence, time_s, self._clock.jumps, self._clock.sure)
 
 
 def _steps(before: DepthPicture, now: DepthPicture) -> int:

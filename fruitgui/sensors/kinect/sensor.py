@@ -128,6 +128,7 @@ class KinectSensor:
             damaged=not pair.whole,
             felt_m_s2=self._felt_m_s2,
             clock_leaps=capture.clock_leaps,
+            time_sure=capture.time_sure,
         )
 
     def projector(self, on: bool) -> None:

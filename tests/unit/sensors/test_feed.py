@@ -223,6 +223,19 @@ def test_frames_leave_in_the_order_of_capture() -> None:
     assert times == sorted(times)
 
 
+def test_a_frame_whose_time_is_not_sure_is_seen_but_has_no_place_in_the_order_of_capture() -> None:
+    left = ScriptedSensor("left")
+    with running(left) as feed:
+        ordered, as_they_came = feed.subscribe(DropOldest(10), ByCapture({})), feed.subscribe(DropOldest(10))
+        left.give(replace(small_frame("left", 0), time_sure=False))
+        until(lambda: feed.newest("left") is not None)
+        left.give(small_frame("left", 1))
+        until(lambda: feed.health("left").frames == 2)
+    assert [[one and one.frame.sequence for one in (queue.take(1.0), queue.take(0.0))] for queue in (
+        ordered, as_they_came
+    )] == [[1, None], [0, 1]]  # fmt: skip
+
+
 def test_a_late_sensor_is_waited_for_and_a_silent_one_holds_nobody() -> None:
     left, right = ScriptedSensor("left"), ScriptedSensor("right")
     with running(left, right) as feed:

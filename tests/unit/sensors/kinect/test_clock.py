@@ -151,3 +151,87 @@ def test_a_host_that_is_busy_at_the_beginning_tells_no_jump() -> None:
         if count > 40:
             assert given_s == pytest.approx(200.004 + count / 30.0, abs=2e-3)
     assert clock.jumps == 0
+
+
+def sure_off_s(late_s: np.ndarray, leaps_s: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+    """Return by how much the times of pictures are off that come so late each, and which of them are said to be sure.
+
+    Args:
+        late_s: of each picture, 30 a second; none is given before the one before it, as from one queue.
+        leaps_s: by how much the device's clock is off at each.
+    """
+    clock = HostClock()
+    true_s = 1000.0 + np.arange(len(late_s)) / 30.0
+    came_s = np.maximum.accumulate(true_s + late_s)
+    given_s, sure = [], []
+    for device_s, arrived_s in zip(true_s - 990.0 + leaps_s, came_s, strict=True):
+        given_s.append(clock.time_s(float(device_s), float(arrived_s)))
+        sure.append(clock.sure)
+    assert (np.diff(given_s) > 0).all()
+    return np.array(given_s) - true_s, np.array(sure)
+
+
+def busy_from(begin: int, end: int, late_s: float) -> np.ndarray:
+    """Return the lateness of 600 pictures: some ms, and much more from one picture up to another."""
+    usual_s = 0.004 + np.random.default_rng(11).exponential(0.002, 600)
+    usual_s[begin:end] += late_s
+    return usual_s
+
+
+@pytest.mark.parametrize("late_s", [0.0, 0.1, 0.3, 0.45])
+@pytest.mark.parametrize("pictures", [2, 6, 12])
+def test_first_times_that_are_too_late_are_not_sure(pictures: int, late_s: float) -> None:
+    """On a belt of 0.5 m/s a picture that is dated 0.3 s too late shows its fruit 15 cm away from itself."""
+    off_s, sure = sure_off_s(busy_from(0, pictures, late_s))
+    assert np.abs(off_s[sure]).max() < 0.02
+    assert not sure[:15].any()
+    assert sure[60:].all()
+
+
+@pytest.mark.parametrize("stood_s", [0.4, 1.0, 1.4])
+def test_what_waited_all_at_once_does_not_pass_for_steady(stood_s: float) -> None:
+    late_s = busy_from(0, 0, 0.0)
+    waited = np.arange(len(late_s)) / 30.0 < stood_s
+    late_s[waited] = stood_s - np.flatnonzero(waited) / 30.0
+    off_s, sure = sure_off_s(late_s)
+    assert np.abs(off_s[sure]).max() < 0.02
+    assert sure[90:].all()
+
+
+@pytest.mark.parametrize("leap_s", [-200.0, -3.0, 2.0, 1000.0])
+@pytest.mark.parametrize("late_s", [0.0, 0.3])
+def test_times_after_a_leap_are_not_sure_while_the_host_is_late(late_s: float, leap_s: float) -> None:
+    off_s, sure = sure_off_s(busy_from(400, 410, late_s), np.where(np.arange(600) < 400, 0.0, leap_s))
+    assert np.abs(off_s[sure]).max() < 0.02
+    assert not sure[400:415].any()
+    assert sure[16:400].all()
+    assert sure[460:].all()
+
+
+def test_a_stamp_that_is_wrong_once_makes_one_time_unsure() -> None:
+    leaps_s = np.zeros(600)
+    leaps_s[400] = 50.0
+    _, sure = sure_off_s(busy_from(0, 0, 0.0), leaps_s)
+    assert np.flatnonzero(~sure[16:]).tolist() == [384]
+
+
+def test_pictures_that_come_one_by_one_are_believed_from_the_second_on() -> None:
+    clock = HostClock()
+    sure = []
+    for seconds in (0.0, 1.0, 3.0, 3.1, 60.0):
+        clock.time_s(seconds, 100.0 + seconds)
+        sure.append(clock.sure)
+    assert sure == [False, True, True, True, True]
+
+
+@pytest.mark.parametrize("sense", ["stands", "random", "slow", "fast", "backwards"])
+def test_a_clock_that_makes_no_sense_is_doubted_but_for_some_of_the_time(sense: str) -> None:
+    clock, rng = HostClock(), np.random.default_rng(12)
+    sure = []
+    for count in range(1800):
+        true_s = count / 30.0
+        device_s = {"stands": 7.0, "random": rng.uniform(0.0, 70.0), "slow": 0.01 * true_s, "fast": 3.0 * true_s,
+                    "backwards": 100.0 - true_s}[sense]  # fmt: skip
+        clock.time_s(float(device_s), 500.0 + true_s)
+        sure.append(clock.sure)
+    assert np.mean(sure) > 0.75

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from fruitgui.sensors.feed import Feed, Running
+from fruitgui.sensors.feed import Arrival, ByCapture, Feed, Running, Subscription
 from fruitgui.sensors.kinect.driver import KinectDriver
 from fruitgui.station.sources import DevicesSource, devices_of
 from tests.emulated_usb.emulation import Emulation, Hang, Kinect
@@ -24,6 +24,12 @@ def until(true: Callable[[], bool], within_s: float = 180.0) -> None:
         time.sleep(0.01)
 
 
+def taken(queue: Subscription) -> Iterator[Arrival]:
+    """Give what waits in a queue that was closed."""
+    while (arrival := queue.take(1.0)) is not None:
+        yield arrival
+
+
 @inside
 def test_what_is_plugged_in_is_found_connected_and_runs(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
     usb.plug_in(Kinect("A1"), Kinect("B2"))
@@ -37,6 +43,25 @@ def test_what_is_plugged_in_is_found_connected_and_runs(usb: Emulation, tmp_path
         until(lambda: all(feed.health(name).frames > 12 for name in feed.sensors))
         assert all(feed.health(name).state is Running.RUNNING for name in feed.sensors)
         assert feed.stop() == ()
+
+
+@inside
+def test_times_are_believed_after_a_while_and_frames_leave_in_their_order(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1"), Kinect("B2"))
+    driver = KinectDriver()
+    feed = Feed([driver.sensor("A1"), driver.sensor("B2")])
+    ordered, as_they_came = feed.subscribe(300, ByCapture({})), feed.subscribe(300)
+    with Player(usb, wait_ms=HOLD_MS):
+        feed.start()
+        until(lambda: all((newest := feed.newest(name)) and newest.time_sure for name in feed.sensors))
+        assert feed.stop() == ()
+    in_order, all_of_them = ([one.frame for one in taken(queue)] for queue in (ordered, as_they_came))
+    assert [one.time_s for one in in_order] == sorted(one.time_s for one in in_order)
+    for name in feed.sensors:
+        own = [one for one in all_of_them if one.sensor == name]
+        sure = [one.sequence for one in own if one.time_sure]  # all, where colour came long before its first turn
+        assert sure
+        assert [one.sequence for one in in_order if one.sensor == name] == sure
 
 
 @inside
