@@ -40,7 +40,9 @@ class ZeroPlane:
 
     @property
     def is_plausible(self) -> bool:
-        """Whether these can be a Kinect's; a device that is broken says anything."""
+        """Whether these can be a Kinect's; a device that is broken says anything, or nothing but zeros."""
+        if self.pixel_cm == 0.0:
+            return False
         limits = (
             (self.emitter_cm, 5.0, 10.0),
             (self.reference_cm, 60.0, 240.0),

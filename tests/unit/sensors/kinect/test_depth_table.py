@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fruitgui.sensors.kinect.depth_table import NO_RAW, ZeroPlane, depth_table, millimetres
@@ -41,10 +41,11 @@ def test_values_that_no_device_gives_are_none() -> None:
     assert millimetres(raw, table).tolist() == [[table[0], table[700], table[1054]], [0, 0, 0]]
 
 
+@example(0.0, 0.0, 0.0, 0.0)
 @given(st.floats(allow_nan=True), st.floats(allow_nan=True), st.floats(allow_nan=True), st.floats(allow_nan=True))
 def test_a_broken_device_s_words_make_no_table(emitter: float, reference: float, pixel: float, shift: float) -> None:
     with np.errstate(all="ignore"):
-        plane = ZeroPlane(emitter, reference, pixel or 1.0, shift)
+        plane = ZeroPlane(emitter, reference, pixel, shift)
         if plane.is_plausible:
             table = depth_table(plane)
             assert (np.diff(table[table > 0].astype(int)) >= 0).all()

@@ -15,7 +15,7 @@ from fruitgui.frame import U16, Frame
 from fruitgui.sensors.kinect import session
 from fruitgui.sensors.kinect.bus import Bus
 from fruitgui.sensors.kinect.clock import FRAME_TICKS
-from fruitgui.sensors.kinect.depth_table import depth_table
+from fruitgui.sensors.kinect.depth_table import ZeroPlane, depth_table
 from fruitgui.sensors.kinect.device import Device, Picture
 from fruitgui.sensors.kinect.driver import KinectDriver
 from fruitgui.sensors.kinect.library import libfreenect, libusb
@@ -547,6 +547,17 @@ def test_the_factory_s_words_are_understood_as_the_library_does(usb: Emulation, 
     assert np.abs(table[..., 1] - own_v)[inside_picture].max() < 0.56
     freenect.destroy_registration(ctypes.byref(says))
     device.close()
+
+
+@inside
+def test_one_that_answers_nothing_but_zeros_of_itself_is_a_usual_one(usb: Emulation, tmp_path: Path) -> None:  # noqa: ARG001
+    usb.plug_in(Kinect("A1", zero_plane=ZeroPlane(0.0, 0.0, 0.0, 0.0), registration=bytes(116)))
+    sensors = sensors_of("A1")
+    push(usb, 0, 0, raw=pictures.level(700))
+    depth_mm = sensors[0].read(READ_S).depth_mm
+    assert set(np.unique(depth_mm[depth_mm > 0])) == {depth_table(ZeroPlane())[700]}
+    assert (depth_mm > 0).mean() > 0.9
+    let_go(sensors)
 
 
 @inside
