@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import queue
-from collections import deque
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Protocol, TypeVar
@@ -71,13 +70,13 @@ class Counting:
         self._teacher = teacher
         self._warnings = Warnings()
         self._unkept: dict[int, Finished] = {}
-        self._last: deque[tuple[CountedFruit, Finished]] = deque(maxlen=LAST_FRUIT)
+        self._last: tuple[tuple[CountedFruit, Finished], ...] = ()  # replaced as one: others read it meanwhile
         self.counted = self.passed = self._lost = 0
 
     @property
     def last(self) -> tuple[tuple[CountedFruit, Finished], ...]:
         """The last fruit counted, the newest first."""
-        return tuple(reversed(self._last))
+        return self._last
 
     @property
     def sink_state(self) -> SinkState:
@@ -114,7 +113,7 @@ class Counting:
         for one in counted:
             finished = self._unkept.pop(one.fruit.fruit, None)
             if finished is not None:
-                self._last.append((one, finished))
+                self._last = ((one, finished), *self._last)[:LAST_FRUIT]
             self.counted += 1
         sink = self._sink.state
         if sink.problem is not None:

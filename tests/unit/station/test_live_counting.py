@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import queue
+import sys
+import threading
 from collections.abc import Sequence
 
 import numpy as np
@@ -10,7 +12,7 @@ import numpy as np
 from fruitgui.classification.evidence import Evidence
 from fruitgui.errors import WorldError
 from fruitgui.station.fruit import Fruit
-from fruitgui.station.live.counting import Counting, count_all
+from fruitgui.station.live.counting import LAST_FRUIT, Counting, count_all
 from fruitgui.station.live.state import Finished
 from fruitgui.station.sink import CountedFruit, Crop
 from fruitgui.station.waiting import MOST_AT_ONCE, BufferedSink
@@ -70,3 +72,32 @@ def test_what_a_full_disk_cannot_take_at_the_end_waits_on() -> None:
     counting.count(finished(1), 1)
     assert not counting.retry()
     assert counting.sink_state.waiting == 1
+
+
+def test_the_last_fruit_are_read_while_others_are_counted() -> None:
+    disk = Disk()
+    disk.full = False
+    counting, wrong = Counting(BufferedSink(disk)), list[Exception]()
+    over = threading.Event()
+
+    def read() -> None:
+        try:
+            while not over.is_set():
+                numbers = [counted.number for counted, _ in counting.last]
+                assert numbers == sorted(numbers, reverse=True)
+        except Exception as error:  # noqa: BLE001 - told on the test's own thread
+            wrong.append(error)
+
+    reader = threading.Thread(target=read)
+    before_s = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        reader.start()
+        for number in range(1, 2001):
+            counting.count(finished(number), 1)
+    finally:
+        sys.setswitchinterval(before_s)
+        over.set()
+        reader.join()
+    assert wrong == []
+    assert [counted.number for counted, _ in counting.last] == list(range(2000, 2000 - LAST_FRUIT, -1))
