@@ -13,7 +13,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.benchmark import watches
-from fruitgui.gui.benchmark.heartbeat import Blame, Blocks, Heartbeat
+from fruitgui.gui.benchmark.heartbeat import STEP_MS, Blame, Blocks, Heartbeat
 from fruitgui.gui.benchmark.watches import Memory
 
 
@@ -28,14 +28,14 @@ def test_what_holds_the_window_up_is_measured_and_found(qtbot: QtBot) -> None:
     blame = Blame(heart, 40.0)
     heart.start()
     blame.start()
-    qtbot.waitUntil(lambda: len(heart.take().late_ms) > 0)
+    qtbot.waitUntil(lambda: heart.take().beats > 0)
     _block(0.2)
     seen = Counter[str]()
 
     def beaten() -> bool:
         blocks = heart.take()
         seen["over"] += blocks.over
-        seen["beats"] += len(blocks.late_ms)
+        seen["beats"] += blocks.beats
         seen["longest_ms"] = max(seen["longest_ms"], round(blocks.longest_ms))
         return seen["beats"] > 0
 
@@ -49,13 +49,13 @@ def test_what_holds_the_window_up_is_measured_and_found(qtbot: QtBot) -> None:
 def test_what_the_window_worked_itself_is_told_apart_from_what_it_waited(qtbot: QtBot) -> None:
     heart = Heartbeat()
     heart.start()
-    qtbot.waitUntil(lambda: len(heart.take().late_ms) > 0)
+    qtbot.waitUntil(lambda: heart.take().beats > 0)
     time.sleep(0.2)  # as another program that has the core
     slept: list[Blocks] = []
 
     def beaten() -> bool:
         slept.append(heart.take())
-        return len(slept[-1].late_ms) > 0
+        return slept[-1].beats > 0
 
     qtbot.waitUntil(beaten)
     assert slept[-1].longest_ms >= 190.0
@@ -68,9 +68,46 @@ def test_what_the_window_worked_itself_is_told_apart_from_what_it_waited(qtbot: 
     assert slept[-1].most_work_ms > 95.0
 
 
+def _blocks(*beats: tuple[float, float]) -> Blocks:
+    """Return beats, each (late, worked) milliseconds."""
+    blocks = Blocks()
+    for late_ms, work_ms in beats:
+        blocks.add(late_ms, work_ms)
+    return blocks
+
+
+def test_beats_are_counted_and_not_kept() -> None:
+    late_ms = np.random.default_rng(1).gamma(2.0, 2.0, 200_000) - 1.0
+    blocks = _blocks(*((late, 0.0) for late in late_ms[:1000]))
+    before = sys.getallocatedblocks()
+    for late in late_ms[1000:]:
+        blocks.add(late, 0.0)
+    assert sys.getallocatedblocks() - before < 1000
+    assert blocks.longest_ms == late_ms.max()
+    for share in (0.5, 0.99, 0.999):
+        assert blocks.quantile_ms(share) == pytest.approx(np.quantile(late_ms, share), abs=STEP_MS)
+    assert Blocks().quantile_ms(0.99) == 0.0
+
+
+def test_what_is_done_before_it_begins_anew_is_nobodys(qtbot: QtBot) -> None:
+    heart = Heartbeat()
+    heart.start()
+    qtbot.waitUntil(lambda: heart.take().beats > 0)
+    worked_s = time.thread_time()
+    while time.thread_time() - worked_s < 0.1:
+        pass
+    heart.start()
+    blocks = heart.take()
+    while blocks.beats == 0:
+        qtbot.wait(1)
+        blocks = heart.take()
+    heart.stop()
+    assert blocks.most_work_ms < 95.0
+
+
 def test_a_figure_says_what_was_asked_and_marks_what_is_not_so() -> None:
-    late = Blocks(np.array([1.0, 70.0, 3.0]), np.array([1.0, 12.0, 3.0])).figure("live screen")
-    good = Blocks(np.array([1.0, 20.0]), np.array([1.0, 12.0])).figure("live screen")
+    late = _blocks((1.0, 1.0), (70.0, 12.0), (3.0, 3.0)).figure("live screen")
+    good = _blocks((1.0, 1.0), (20.0, 12.0)).figure("live screen")
     assert late.met is False
     assert good.met is True
     line = late.line()

@@ -7,55 +7,58 @@ import threading
 import time
 import traceback
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from math import floor
 
-import numpy as np
 from PySide6.QtCore import QObject, Qt, QTimer
 
-from fruitgui.frame import F64
 from fruitgui.gui.benchmark.figure import Figure
 
 BEAT_MS = 5
 LONG_MS = 50.0
+STEP_MS = 0.25
+"""How exactly it is kept how late a beat was."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True)
 class Blocks:
-    """How late each beat was.
+    """How late beats were; they are counted as they come, so that an hour of them needs no more room than a minute.
 
     Attributes:
-        late_ms: (N,) beyond the beat itself, in order.
-        work_ms: (N,) what the thread itself worked since the beat before; the rest of a block it waited for a core or
-            for Python, which other threads or programs had.
+        beats: how many there were. over: those of which a person may feel how late they were.
+        longest_ms: the longest that a key or a touch had to wait.
+        most_work_ms: the most that the thread itself worked from one beat to the next; the rest of a block it waited
+            for a core or for Python, which other threads or programs had. On a machine with a free core, no block is
+            much longer.
     """
 
-    late_ms: F64
-    work_ms: F64
+    beats: int = 0
+    over: int = 0
+    longest_ms: float = 0.0
+    most_work_ms: float = 0.0
+    _steps: Counter[int] = field(default_factory=Counter)
 
-    @property
-    def longest_ms(self) -> float:
-        """The longest that a key or a touch had to wait."""
-        return float(self.late_ms.max(initial=0.0))
-
-    @property
-    def most_work_ms(self) -> float:
-        """The most that the thread worked at one go; on a machine with a free core, no block is much longer."""
-        return float(self.work_ms.max(initial=0.0))
-
-    @property
-    def over(self) -> int:
-        """How many a person may feel."""
-        return int((self.late_ms > LONG_MS).sum())
+    def add(self, late_ms: float, work_ms: float) -> None:
+        """Count a beat that came so late, after so much work of the thread since the beat before."""
+        self.beats += 1
+        self.over += late_ms > LONG_MS
+        self.longest_ms, self.most_work_ms = max(self.longest_ms, late_ms), max(self.most_work_ms, work_ms)
+        self._steps[floor(late_ms / STEP_MS)] += 1
 
     def quantile_ms(self, share: float) -> float:
-        """Return the lateness that a share of the beats stays below."""
-        return float(np.quantile(self.late_ms, share)) if len(self.late_ms) else 0.0
+        """Return the lateness that a share of the beats stays below, to the step."""
+        left = share * self.beats
+        for step in sorted(self._steps):
+            left -= self._steps[step]
+            if left <= 0.0:
+                return min((step + 1) * STEP_MS, self.longest_ms)
+        return 0.0
 
     def figure(self, when: str) -> Figure:
         """Return them as a figure: the longest block, and what goes with it."""
         more = (
             f"own work {self.most_work_ms:.0f} ms; 99.9 % {self.quantile_ms(0.999):.0f} ms, "
-            f"99 % {self.quantile_ms(0.99):.0f} ms; over {LONG_MS:.0f} ms: {self.over} of {len(self.late_ms)}"
+            f"99 % {self.quantile_ms(0.99):.0f} ms; over {LONG_MS:.0f} ms: {self.over} of {self.beats}"
         )
         met = self.longest_ms <= LONG_MS
         return Figure(f"longest block, {when}", f"{self.longest_ms:.0f} ms", f"<= {LONG_MS:.0f} ms", met, more)
@@ -66,15 +69,14 @@ class Heartbeat(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._late_ms: list[float] = []
-        self._work_ms: list[float] = []
+        self._blocks = Blocks()
         self.last_s = time.perf_counter()
         self._worked_s = 0.0
         self._timer = QTimer(self, interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._beat)
 
     def start(self) -> None:
-        """Begin to beat."""
+        """Begin to beat, or begin anew: what was done since the last beat is nobody's."""
         self.last_s, self._worked_s = time.perf_counter(), time.thread_time()
         self._timer.start()
 
@@ -84,14 +86,12 @@ class Heartbeat(QObject):
 
     def take(self) -> Blocks:
         """Return what was noted since the last time."""
-        late_ms, self._late_ms = self._late_ms, []
-        work_ms, self._work_ms = self._work_ms, []
-        return Blocks(np.array(late_ms), np.array(work_ms))
+        taken, self._blocks = self._blocks, Blocks()
+        return taken
 
     def _beat(self) -> None:
         now_s, worked_s = time.perf_counter(), time.thread_time()
-        self._late_ms.append((now_s - self.last_s) * 1e3 - BEAT_MS)
-        self._work_ms.append((worked_s - self._worked_s) * 1e3)
+        self._blocks.add((now_s - self.last_s) * 1e3 - BEAT_MS, (worked_s - self._worked_s) * 1e3)
         self.last_s, self._worked_s = now_s, worked_s
 
 
