@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from functools import lru_cache
 from typing import Any
 
 from fruitgui.station.station import Station
@@ -19,8 +20,12 @@ def fingerprint(value: Any) -> str:  # noqa: ANN401 - JSON is any
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
+@lru_cache(maxsize=4)
 def calibration_fingerprint(station: Station) -> str:
-    """Return what stands for where the sensors stand over the belt: poses and planes, not the region nor the speed."""
+    """Return what stands for where the sensors stand over the belt: poses and planes, not the region nor the speed.
+
+    It is asked for whenever the window shows how far each step is; the last few stations' are kept.
+    """
     sensors = station_value(station)["sensors"]
     placed = {
         name: {

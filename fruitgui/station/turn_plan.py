@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations
 
 import numpy as np
@@ -21,6 +22,9 @@ WHOLE_FRUIT_M = 0.10
 LEAST_OVERLAP_M2 = 1e-4
 USUAL_DISTANCE_M = 1.0
 """From sensor to belt, where no picture tells it."""
+
+RIGS_KEPT = 4
+"""The window asks for the plan twice a second; who overlaps is found once for each rig."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,10 +110,13 @@ def _clash(first: Projector, second: Projector) -> bool:
     return Projector.HARMLESS not in (first, second) and Projector.FIXED in (first, second)
 
 
-def overlapping(rig: Rig) -> list[tuple[str, str]]:
+@lru_cache(maxsize=RIGS_KEPT)
+def overlapping(rig: Rig) -> tuple[tuple[str, str], ...]:
     """Return the pairs of sensors that see a common place of the belt."""
     footprints = {sensor: rig.footprint_m(sensor) for sensor in rig.mounts}
-    return [pair for pair in combinations(footprints, 2) if common_area_m2(*(footprints[one] for one in pair)) > 0.0]
+    return tuple(
+        pair for pair in combinations(footprints, 2) if common_area_m2(*(footprints[one] for one in pair)) > 0.0
+    )
 
 
 def common_area_m2(first_m: F64, second_m: F64) -> float:
@@ -135,7 +142,15 @@ def seen_length_m(camera: Intrinsics, newest: Frame | None) -> float:
 
 
 def rig_of(station: Station | None, cameras: Mapping[str, Intrinsics]) -> Rig | None:
-    """Return the station's rig where it was calibrated with just the sensors that are there; None otherwise."""
+    """Return the station's rig where it was calibrated with just the sensors that are there; None otherwise.
+
+    It is the same one, for the same station and cameras.
+    """
     if station is None or set(station.sensors) != set(cameras):
         return None
-    return station.rig(cameras)
+    return _rig(station, tuple(cameras.items()))
+
+
+@lru_cache(maxsize=RIGS_KEPT)
+def _rig(station: Station, cameras: tuple[tuple[str, Intrinsics], ...]) -> Rig:
+    return station.rig(dict(cameras))

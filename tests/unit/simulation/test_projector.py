@@ -111,7 +111,7 @@ def test_another_pattern_disturbs_where_it_lies_and_nowhere_else(place: Setting,
 
 
 def test_those_are_crossed_whom_the_belt_says_to_overlap(place: Setting, beams: Beams) -> None:
-    assert overlapping(Show(APART).place.rig()) == [("kinect_1", "kinect_2")]
+    assert overlapping(Show(APART).place.rig()) == (("kinect_1", "kinect_2"),)
     names = [device.sensor for device in place.devices]
     crossed = {(one, other) for one in names for other in names if one != other and beams.crossed(one, other).any()}
     assert crossed == {("kinect_1", "kinect_2"), ("kinect_2", "kinect_1")}

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -91,3 +92,21 @@ def test_a_station_of_other_sensors_tells_nothing_of_these() -> None:
     assert set(told.mounts) == set(cameras)
     assert rig_of(station, {"kinect_1": KINECT_COLOR}) is None
     assert rig_of(None, cameras) is None
+
+
+def test_who_overlaps_is_found_once_for_a_rig_and_anew_for_another() -> None:
+    rig = bare_belt(4, "opposed").rig()
+    sensors = {name: StationSensor("", mount.pose, mount.surface) for name, mount in rig.mounts.items()}
+    cameras = {name: mount.intrinsics for name, mount in rig.mounts.items()}
+    station, again = Station(rig.reference, sensors), Station(rig.reference, sensors)
+    once = rig_of(station, cameras)
+    assert once is not None
+    assert rig_of(station, dict(cameras)) is once
+    before = overlapping.cache_info().misses
+    assert overlapping(once) == (("kinect_1", "kinect_2"),)
+    assert overlapping(once) == (("kinect_1", "kinect_2"),)
+    assert overlapping.cache_info().misses == before + 1
+    other = rig_of(again, cameras)
+    assert other is not once
+    narrow = {**cameras, "kinect_1": replace(KINECT_COLOR, fx=2.0 * KINECT_COLOR.fx)}
+    assert rig_of(station, narrow) is not once

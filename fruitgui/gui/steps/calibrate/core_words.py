@@ -35,10 +35,14 @@ def _patterns() -> Mapping[str, str]:
     }
 
 
+_COMPILED = tuple(re.compile(pattern) for pattern in _patterns())
+"""Compiled when the screen is made: at the moment when something is first said, the window has enough to do."""
+
+
 def in_words(said: str) -> str:
     """Return what the core said, in the operator's language."""
-    for pattern, text in _patterns().items():
-        match = re.fullmatch(pattern, said)
+    for pattern, text in zip(_COMPILED, _patterns().values(), strict=True):
+        match = pattern.fullmatch(said)
         if match is not None:
             return text.format(**match.groupdict())
     return said

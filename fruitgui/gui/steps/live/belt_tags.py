@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
 import numpy as np
 from PySide6.QtCore import QRectF, QSizeF
@@ -33,29 +34,31 @@ def tag_places(
     places: dict[str, QRectF] = {}
     for number, (sensor, corners) in enumerate(edges_px.items()):
         others = [*taken, *places.values()]
-        tries = [
-            box
-            for depth in range(DEPTHS)
-            for upper in (number % 2 == 0, number % 2 == 1)
-            for box in _along(corners, sizes[sensor], room, depth * (1 if upper else -1), upper=upper)
-        ]
-        places[sensor] = next((one for one in tries if not any(one.intersects(other) for other in others)), tries[0])
+        tried = _tried(corners, sizes[sensor], room, upper_first=number % 2 == 0)
+        first = next(tried)
+        free = (one for one in chain((first,), tried) if not any(one.intersects(other) for other in others))
+        places[sensor] = next(free, first)
     return places
 
 
-def _along(corners: F64, size: QSizeF, room: QRectF, rows: int, *, upper: bool) -> list[QRectF]:
-    """Return places across an edge of a footprint, or so many rows inside it, from right to left."""
+def _tried(corners: F64, size: QSizeF, room: QRectF, *, upper_first: bool) -> Iterator[QRectF]:
+    """Give the places where a name may stand, the best first; most names stand in one of the first."""
+    for depth in range(DEPTHS):
+        for upper in (upper_first, not upper_first):
+            yield from _along(corners, size, room, depth * (1 if upper else -1), upper=upper)
+
+
+def _along(corners: F64, size: QSizeF, room: QRectF, rows: int, *, upper: bool) -> Iterator[QRectF]:
+    """Give places across an edge of a footprint, or so many rows inside it, from right to left."""
     left, right = float(corners[:, 0].min()), float(corners[:, 0].max())
     middles = np.linspace(right - size.width() / 2 - GRID, left + size.width() / 2 + GRID, STEPS)
-    boxes = []
     for x in np.clip(middles, left, right):
         box = QRectF(0, 0, size.width(), size.height())
         box.moveLeft(min(max(x - size.width() / 2, room.left()), room.right() - size.width()))
         y = _crossing(corners, float(x), upper=upper)
         box.moveTop(min(max(y - size.height() / 2, room.top()), room.bottom() - size.height()))
         box.translate(0, rows * (size.height() + 1))
-        boxes.append(box)
-    return boxes
+        yield box
 
 
 def _crossing(corners: F64, x: float, *, upper: bool) -> float:
