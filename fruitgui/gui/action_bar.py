@@ -137,6 +137,12 @@ class ActionBar(Worded, QWidget):
         self.setMinimumHeight(72)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
 
+    def prepare(self, page: StepPage) -> None:
+        """Make the buttons of what a page offers now, before it is first shown."""
+        for action in (*page.other_actions, page.main_action):
+            if action is not None:
+                self._button(action, main=action is page.main_action)
+
     def follow(self, page: StepPage) -> None:
         """Show a page's hint and actions from now on."""
         if self._page is not None:

@@ -68,6 +68,7 @@ class MainWindow(QMainWindow):
         if self._stack.indexOf(page) < 0:
             self._stack.addWidget(page)
             page.step_wanted.connect(self.go_to)
+            self.action_bar.prepare(page)
         return page
 
     def go_to(self, step: Step) -> None:

@@ -85,6 +85,23 @@ def test_the_action_bar_does_what_the_page_offers(qtbot: QtBot, window: MainWind
     assert not _buttons(window)[-1].isEnabled()
 
 
+def test_the_buttons_of_a_page_are_there_before_it_is_first_gone_to(
+    qtbot: QtBot, session: Session, theme: Theme
+) -> None:
+    pages = {step: _Page() for step in Step}
+    pages[Step.LOTS].offer(QAction("Export", pages[Step.LOTS]))
+    window = MainWindow(theme, session.messages, session.tasks, pages)
+    qtbot.addWidget(window)
+    window.go_to(Step.CONNECT)
+    window.show()
+    window.page(Step.LOTS)
+    (made,) = window.action_bar.findChildren(ActionButton)
+    assert not made.isVisible()
+    window.go_to(Step.LOTS)
+    assert window.action_bar.findChildren(ActionButton) == [made]
+    assert made.isVisible()
+
+
 def test_the_keys_of_what_is_offered_work_and_of_what_was_offered_do_not(qtbot: QtBot, window: MainWindow) -> None:
     page, done = window.page(Step.CONNECT), []
     first, second = QAction("Calibrate", page), QAction("Keep", page)
