@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Generator
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Protocol
 
 from fruitgui.frame import Frame
+from fruitgui.sensors.ahead import ReadAhead
 from fruitgui.sensors.recordings import Recording, open_recording, parts_after
 from fruitgui.sensors.shared import SharedSensor, SharedStream
 
@@ -65,25 +66,29 @@ class AtSpeed:
 
 
 class _Playing:
-    """The stream of a recording's frames."""
+    """The stream of a recording's frames.
+
+    One thread reads them, however many rounds: the C library gives each new thread a heap in turn, and the room of some
+    sixty frames lay free in each.
+    """
 
     def __init__(self, recording: Recording, pace: Pace, looped: bool) -> None:
         self._recording = recording
         self._pace = pace
         self._looped = looped
-        self._frames: Generator[tuple[float, Frame], None, None] | None = None
+        self._frames: ReadAhead[tuple[float, Frame]] | None = None
         self._next: tuple[float, Frame] | None = None
-        self._round = _Round()
 
     def begin(self) -> None:
         self.end()
         self._pace.begin()
-        self._round = _Round()
-        self._frames = self._recording.frames(ahead=FRAMES_AHEAD)
+        self._frames = ReadAhead(_rounds(self._recording, self._looped), FRAMES_AHEAD)
 
     def draw(self, timeout_s: float) -> Frame | None:
         if self._next is None:
-            self._next = self._read()
+            if self._frames is None:
+                raise StopIteration
+            self._next = next(self._frames)
         time_s, frame = self._next
         if not self._pace.wait(time_s, timeout_s):
             return None
@@ -95,17 +100,16 @@ class _Playing:
             self._frames.close()
             self._frames = self._next = None
 
-    def _read(self) -> tuple[float, Frame]:
-        if self._frames is None:
-            raise StopIteration
-        try:
-            return self._round.placed(*next(self._frames))
-        except StopIteration:
-            if not self._looped:
-                raise
-        self._frames = self._recording.frames(ahead=FRAMES_AHEAD)
-        self._round.again()
-        return self._round.placed(*next(self._frames))
+
+def _rounds(recording: Recording, looped: bool) -> Iterator[tuple[float, Frame]]:
+    """Give a recording's frames, once or for ever, with times and numbers that go on."""
+    place = _Round()
+    for time_s, frame in recording.frames():
+        yield place.placed(time_s, frame)
+    while looped:
+        place.again()
+        for time_s, frame in recording.frames():
+            yield place.placed(time_s, frame)
 
 
 class _Round:

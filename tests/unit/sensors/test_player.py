@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from itertools import pairwise
 from pathlib import Path
@@ -66,6 +67,19 @@ def test_looped_it_goes_on_with_growing_stamps_and_numbers(recording: Path) -> N
         assert [one.sequence for one in own] == list(range(len(own)))
         steps = [later.time_s - earlier.time_s for earlier, later in pairwise(own)]
         assert np.allclose(steps, 0.1, atol=1e-6)
+
+
+def test_one_thread_reads_all_rounds(recording: Path) -> None:
+    (left, _) = sensors = recorded_sensors(recording, FlatOut(), looped=True)
+    for sensor in sensors:
+        sensor.open()
+    left.start()
+    readers = set[threading.Thread]()
+    while left.read(5.0).sequence < 70:
+        readers |= {thread for thread in threading.enumerate() if thread.name == "read-ahead"}
+    for sensor in sensors:
+        sensor.close()
+    assert len(readers) == 1
 
 
 def test_a_sensor_that_nobody_runs_holds_nobody(recording: Path) -> None:
