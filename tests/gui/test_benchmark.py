@@ -12,9 +12,18 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
+from fruitgui.errors import WorldError
 from fruitgui.gui.benchmark import watches
 from fruitgui.gui.benchmark.heartbeat import STEP_MS, Blame, Blocks, Heartbeat
+from fruitgui.gui.benchmark.stage import stage_in
 from fruitgui.gui.benchmark.watches import Memory
+
+
+def test_the_line_is_set_up_in_another_process_which_says_what_it_cannot(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("no folder")
+    with pytest.raises(WorldError) as raised, stage_in(tmp_path / "file"):
+        pass
+    assert type(raised.value.__cause__).__name__ == "_RemoteTraceback", "as another process raised it"
 
 
 def _block(for_s: float) -> None:

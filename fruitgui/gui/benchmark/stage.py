@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
+from multiprocessing import get_context
 from pathlib import Path
 
 from fruitgui.evaluation.demo_line import set_up_line
@@ -44,6 +46,13 @@ def _made(folder: Path) -> None:
     if (folder / RECORDING).exists():
         _end_open_lot(folder)
         return
+    # What calibrating and training load and leave, some 200 MB, is none of the window's, whose memory is measured here.
+    with ProcessPoolExecutor(1, get_context("spawn")) as apart:
+        apart.submit(make_line, folder).result()
+
+
+def make_line(folder: Path) -> None:
+    """Set a simulated line up in a folder, record what runs on it, and connect it to that recording."""
     workspace = open_workspace(folder)
     set_up_line(workspace, SEED)
     path = folder / RECORDING
