@@ -22,8 +22,11 @@ from fruitgui.station.station import Station, StationSensor
 SCHEMA = "fruitgui.station/1"
 REMEDY = "Calibrate again, or name a station file that calibrating wrote."
 SENSOR_ID = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}")
-FARTHEST_M = 1000.0
+FARTHEST_M = 100.0
 """No rig is larger; a translation beyond it is a slip of units or of the file."""
+
+FARTHEST_BELT_M = 10.0
+"""No depth beyond it is looked at: a plane that far is no belt, but a slip of units, or of the file."""
 
 FASTEST_M_S = 10.0
 LONGEST_OFFSET_S = 1e10
@@ -79,7 +82,7 @@ class SurfacePart(_Part):
     """A surface as the file has it."""
 
     normal: UnitRow
-    offset_m: Metres
+    offset_m: Annotated[FiniteFloat, Field(ge=-FARTHEST_BELT_M, le=FARTHEST_BELT_M)]
     region: Annotated[list[Vector], Field(min_length=3, max_length=10_000)] | None = None
 
     @model_validator(mode="after")
