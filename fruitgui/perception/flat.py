@@ -2,9 +2,9 @@
 
 A reading errs by 1.4 mm · z², so nothing lower than 8 mm stands out of the belt at 1 m by depth alone (`limits`). What
 differs from the belt in colour is looked at once more: it is a thing if all its readings together lie above the belt
-just around it. A stain, a wet patch, a shadow differ in colour and do not rise. What is in one patch with something
-tall, or mostly beside it, is left to depth: colours of fruit run over their edges, and those of rails, which part the
-belt from what lies beyond it.
+just around it, those beyond what depth shows of it too. A stain, a wet patch, a shadow differ in colour and do not
+rise. What is in one patch with something tall, or mostly beside it, is left to depth: colours of fruit run over their
+edges, and those of rails, which part the belt from what lies beyond it.
 """
 
 from __future__ import annotations
@@ -104,6 +104,11 @@ class FlatFinder:
         depth = depth_mm[self._limits.crop]
         patches = np.where(wanted, np.arange(count), 0).astype(np.uint16).take(patches)
         wanted = self._rises(patches, count, unlike | seen, self._cells(depth))
+        partly = wanted & (np.bincount(patches[seen], minlength=count) > 0)
+        if partly.any():
+            # A small fruit lifts the mean of its own shadow: what depth does not show must rise by itself.
+            beyond = np.where(cv2.dilate(seen.view(np.uint8), _BESIDE) > 0, np.uint16(0), patches)
+            wanted &= ~partly | self._rises(beyond, count, unlike | seen, self._cells(depth))
         things = [_outline(*self._fine(patches, number, stats[number])) for number in np.flatnonzero(wanted).tolist()]
         return _with_flat(groups, things, depth, np.unique(labels[tall & seen])) if things else groups
 

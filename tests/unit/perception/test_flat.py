@@ -19,13 +19,16 @@ MIDDLE_M = 0.545
 GREEN, PALE, SHADE = (60, 105, 40), (240, 240, 240), (70, 70, 70)
 
 
-def laid(table: Table, x_m: float, y_m: float, rgb: tuple[int, int, int], rise_m: float) -> Frame:
-    """Return the table's frame with an ellipse of 90 by 45 mm of that colour on it, so much above the belt."""
+def laid(
+    table: Table, x_m: float, y_m: float, rgb: tuple[int, int, int], rise_m: float,
+    half_m: tuple[float, float] = (0.045, 0.0225),
+) -> Frame:  # fmt: skip
+    """Return the table's frame with an ellipse of that colour on it, 90 by 45 mm, so much above the belt."""
     frame = table.frame()
     rays = np.concatenate([KINECT.rays().astype(float), np.ones((480, 640, 1))], axis=2)
     slope = -(rays @ table.plane().normal)
     feet = table.plane().frame().apply((rays * (table.height_m / slope)[..., None]).reshape(-1, 3)).reshape(480, 640, 3)
-    there: Bools = np.hypot((feet[..., 0] - x_m) / 0.045, (feet[..., 1] - y_m) / 0.0225) < 1.0
+    there: Bools = np.hypot((feet[..., 0] - x_m) / half_m[0], (feet[..., 1] - y_m) / half_m[1]) < 1.0
     grain = np.random.default_rng(1).normal(0.0, 4.0, (480, 640, 1))
     color = np.where(there[..., None], np.clip(np.array(rgb) + grain, 0, 255), frame.color).astype(np.uint8)
     lower = np.where(there & (frame.depth_mm > 0), 1e3 * rise_m / slope, 0.0)
@@ -70,6 +73,15 @@ def test_bits_that_depth_shows_of_a_leaf_become_the_leaf() -> None:
     views = seen(table, replace(frame, depth_mm=depth))
     assert len(views) == 1
     assert views[0].area_px > 600
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("rgb", [GREEN, SHADE])
+def test_a_small_fruit_does_not_grow_by_its_shadow_or_a_stain(seed: int, rgb: tuple[int, int, int]) -> None:
+    table = Table((Ball(0.0, MIDDLE_M, 0.0105),), seed=seed)
+    (alone,) = seen(table, table.frame())
+    (beside,) = seen(table, laid(table, 0.01, MIDDLE_M, rgb, 0.0, (0.022, 0.018)))
+    assert beside.area_px == alone.area_px
 
 
 @pytest.mark.parametrize("narrower_px", [0, 1, 2])
