@@ -18,7 +18,7 @@ import numpy as np
 
 from fruitgui.errors import InputError
 from fruitgui.frame import F64, Bools
-from fruitgui.measurement.edges import learn_fattening, volume_by_edges
+from fruitgui.measurement.edges import learn_fattening, lengths_by_edges, volume_by_edges
 from fruitgui.measurement.fruit import Quantity, Size
 from fruitgui.measurement.shrinkage import between, learned
 
@@ -33,6 +33,9 @@ STUDENT_WIDER = 1.3
 
 LEAST_CHANCE = 0.01
 """No beaker and no fit is better than this; references that agree by luck prove nothing."""
+
+LARGEST_SHARE = 0.5
+"""A length grows at most by the root of the volume, where the height is known and the outline is not."""
 
 TYPING_ERROR_SIGMAS = 5.0
 LARGEST_SHIFT = math.log(2.0)
@@ -71,6 +74,12 @@ class Density:
     std: float
 
 
+def _shifted(length: Quantity, share_m: float, shift: Shift) -> Quantity:
+    """Return a length that changes by so many metres where the logarithm of the volume changes by one."""
+    share_m = float(np.clip(share_m, 0.0, LARGEST_SHARE * length.value))
+    return Quantity(length.value + share_m * shift.value, math.hypot(length.std, share_m * shift.std))
+
+
 @dataclass(frozen=True, slots=True)
 class VolumeCorrection:
     """What was learned; `VolumeCorrection()` corrects nothing.
@@ -98,6 +107,22 @@ class VolumeCorrection:
         chance = math.sqrt(self.chance**2 + size.spoilt * max(PRIOR_CHANCE**2 - self.chance**2, 0.0))
         relative = math.hypot(chance * fitted_m3.std / max(fitted_m3.value, 1e-12), shift.std)
         return Quantity(corrected_m3, corrected_m3 * relative)
+
+    def lengths(self, kind: str, size: Size) -> Size:
+        """Return the size with length, diameter and perimeter corrected; the volume stays as fitted.
+
+        What references say that volumes err by, the lengths share as far as the fit cannot tell one from the other.
+        """
+        shift = self.kinds.get(kind, self.common)
+        volume_m3, known = volume_by_edges(size, self.fattening_px), lengths_by_edges(size, self.fattening_px)
+        if known.with_volume_m is None or not volume_m3.std > 0.0:
+            return known
+        shares_m = known.with_volume_m / (volume_m3.std / volume_m3.value) ** 2
+        lengths = (known.length_m, known.diameter_m, known.perimeter_m)
+        length, diameter, perimeter = (
+            _shifted(one, float(share_m), shift) for one, share_m in zip(lengths, shares_m, strict=True)
+        )
+        return replace(known, length_m=length, diameter_m=diameter, perimeter_m=perimeter)
 
     def mass(self, kind: str, volume_m3: Quantity) -> Quantity | None:
         """Return the mass, kg, where the kind's density is known."""

@@ -24,12 +24,14 @@ class Edges:
         fattening_px: (S,) as found on this fruit.
         covariance_px2: (S, S) of it.
         with_volume_px: (S,) its covariance with the logarithm of the volume.
+        with_lengths_px_m: (3, S) its covariance with length, diameter and perimeter; None where it was not kept.
     """
 
     sensors: tuple[str, ...]
     fattening_px: F64
     covariance_px2: F64
     with_volume_px: F64
+    with_lengths_px_m: F64 | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +44,10 @@ class Size:
         diameter_m: the largest calliper distance at right angles to the length.
         perimeter_m: of the outline projected along the belt's normal.
         coverage: share of the fitted surface (0–1) that was seen.
-        edges: what the volume owes to fattened edges; None where no surface was fitted.
+        edges: what volume and lengths owe to fattened edges; None where no surface was fitted.
         spoilt: share of the views used (0–1) that a neighbour or the picture's edge spoils.
+        with_volume_m: (3,) covariance of length, diameter and perimeter with the logarithm of the volume; None where no
+            surface was fitted, or it was not kept.
     """
 
     volume_m3: Quantity
@@ -53,3 +57,4 @@ class Size:
     coverage: float
     edges: Edges | None = None
     spoilt: float = 0.0
+    with_volume_m: F64 | None = None

@@ -161,21 +161,24 @@ def size_of(fit: Fit, sensors: tuple[str, ...]) -> Size:
     """Return the sizes of a surface fitted to these sensors' views, each with its standard deviation."""
     surface = fit.state.shape.surface()
     length, diameter = length_and_diameter(surface)
-    content = volume(surface)
+    content, around = volume(surface), perimeter(surface)
+    lengths = np.stack([one.gradient for one in (length, diameter, around)])
     count = len(content.gradient)
     edges = Edges(
         sensors,
         fit.state.edge_px.mean(axis=1),
         fit.edge_covariance[:, count:],
         fit.edge_covariance[:, :count] @ content.gradient / content.value,
+        lengths @ fit.edge_covariance[:, :count].T,
     )
     return Size(
         volume_m3=_quantity(content, fit),
         length_m=_quantity(length, fit),
         diameter_m=_quantity(diameter, fit),
-        perimeter_m=_quantity(perimeter(surface), fit),
+        perimeter_m=_quantity(around, fit),
         coverage=_coverage(fit, surface),
         edges=edges,
+        with_volume_m=lengths @ fit.covariance @ content.gradient / content.value,
     )
 
 

@@ -155,11 +155,17 @@ def _edges_value(edges: Edges | None) -> dict[str, Any] | None:
         "fattening_px": edges.fattening_px.tolist(),
         "covariance_px2": edges.covariance_px2.tolist(),
         "with_volume_px": edges.with_volume_px.tolist(),
+        "with_lengths_px_m": None if edges.with_lengths_px_m is None else edges.with_lengths_px_m.tolist(),
     }
 
 
 def _edges(value: dict[str, Any] | None) -> Edges | None:
     if value is None:
         return None
-    arrays = (np.array(value[name], np.float64) for name in ("fattening_px", "covariance_px2", "with_volume_px"))
-    return Edges(tuple(value["sensors"]), *arrays)
+    found, spread, volume = (
+        np.array(value[name], np.float64) for name in ("fattening_px", "covariance_px2", "with_volume_px")
+    )
+    lengths = value.get("with_lengths_px_m")
+    return Edges(
+        tuple(value["sensors"]), found, spread, volume, None if lengths is None else np.array(lengths, np.float64)
+    )

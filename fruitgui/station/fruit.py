@@ -17,7 +17,7 @@ class Fruit:
         fruit: number, from 1, in the order in which they left.
         kind: a trained kind, or `unknown`.
         kind_probability: of that kind, 0–1.
-        size: as fitted.
+        size: its lengths corrected by what taught fruit tell, all else as fitted.
         volume_m3: corrected by what reference fruit taught, where they did.
         mass_kg: where the kind's density is known.
         volume_paper_m3: by the source's method, where it was asked for.

@@ -45,7 +45,7 @@ class Judgement:
 
     Attributes:
         vote: its kind.
-        size: as fitted.
+        size: its lengths corrected by what taught fruit tell, all else as fitted.
         evidence: what the kind was decided on.
         volume_m3: corrected by what reference fruit taught, where they did.
         mass_kg: where the kind's density is known.
@@ -114,7 +114,8 @@ class Judge:
         shared_m3 = shared_volume_std_m3(correction, vote.kind, size, volume_m3)
         shared_kg = nan if mass_kg is None else shared_mass_std_kg(correction, vote.kind, mass_kg, volume_m3, shared_m3)
         paper_m3 = None if self._paper_volume is None else self._paper_volume(track)
-        return Judgement(vote, size, decided_on, volume_m3, mass_kg, paper_m3, shared_m3, shared_kg)
+        lengths = correction.lengths(vote.kind, size)
+        return Judgement(vote, lengths, decided_on, volume_m3, mass_kg, paper_m3, shared_m3, shared_kg)
 
 
 def evidence(track: Track, size: Size) -> Evidence:
