@@ -15,7 +15,7 @@ import numpy as np
 from fruitgui.frame import F64
 from fruitgui.geometry.rig import Rig
 from fruitgui.tracking.measured import LOOK_STD, distances_m
-from fruitgui.tracking.trail import Trail
+from fruitgui.tracking.trail import NEIGHBOUR_M, Trail
 
 SMALLEST_M = 0.035
 """Few fruit are smaller, and fingers are not wider."""
@@ -90,8 +90,20 @@ def one_body(first: Trail, second: Trail, rig: Rig) -> bool:
         return False
     if _bit(first) and _bit(second):
         return float(np.linalg.norm(first.place_m - second.place_m)) < PARTS_APART_M
+    if _never_near(first, second):
+        return False
     joined = first.parted(second) < _torn_below(first, second)
     return joined and _gap_m(surface_m(first, rig), surface_m(second, rig)) < GAP_M
+
+
+def _never_near(first: Trail, second: Trail) -> bool:
+    """Tell whether two trails, followed at one time, were never so near that they could touch.
+
+    Samples of surfaces do not tell: they are brought together along the belt's way, which may run a little askew.
+    """
+    together = max(first.first_s, second.first_s) < min(first.last_s, second.last_s)
+    reach_m = 0.5 * (first.size_m + second.size_m) + GAP_M
+    return together and reach_m < NEIGHBOUR_M and not first.was_near(second)
 
 
 def _torn_below(first: Trail, second: Trail) -> float:

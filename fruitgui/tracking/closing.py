@@ -9,11 +9,11 @@ import numpy as np
 from fruitgui.frame import F64
 from fruitgui.geometry.rig import Rig
 from fruitgui.tracking.bodies import surface_m
-from fruitgui.tracking.resolve import NEIGHBOUR_M, Resolver
+from fruitgui.tracking.resolve import Resolver
 from fruitgui.tracking.settings import TrackerSettings
 from fruitgui.tracking.smooth import smoothed_path
 from fruitgui.tracking.track import Sighting, Track
-from fruitgui.tracking.trail import Trail
+from fruitgui.tracking.trail import NEIGHBOUR_M, Trail
 
 LATE_NEIGHBOUR_M = 0.3
 """A fruit given out is remembered while anything is followed this near to it: a piece of it may still come."""

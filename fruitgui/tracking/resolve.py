@@ -17,10 +17,7 @@ from fruitgui.frame import F64
 from fruitgui.geometry.rig import Rig
 from fruitgui.tracking.bodies import built_like_fruit, evidence, one_body
 from fruitgui.tracking.settings import TrackerSettings
-from fruitgui.tracking.trail import Company, Trail
-
-NEIGHBOUR_M = 0.12
-"""Centres farther apart than this belong to different fruit, whatever the frames say."""
+from fruitgui.tracking.trail import NEIGHBOUR_M, Company, Trail
 
 ALMOST_NEVER = 0.2
 SPLINTER = 0.42

@@ -12,8 +12,7 @@ from fruitgui.frame import F64, Bools, Ints
 from fruitgui.geometry.rig import Rig
 from fruitgui.tracking.field import FieldOfView
 from fruitgui.tracking.measured import Measured, look_distance
-from fruitgui.tracking.resolve import NEIGHBOUR_M
-from fruitgui.tracking.trail import Trail
+from fruitgui.tracking.trail import NEIGHBOUR_M, Trail
 
 LOOSE_SHARE = 0.55
 """A view whose centre lies within this share of a fruit's size from it is that fruit, badly seen: two solid

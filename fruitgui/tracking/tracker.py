@@ -17,12 +17,11 @@ from fruitgui.tracking.follow import BeltModel
 from fruitgui.tracking.matching import Pairs
 from fruitgui.tracking.measured import Measured, distances_m, look_distance, measured, variances
 from fruitgui.tracking.mode import TrackingMode, product_mode
-from fruitgui.tracking.resolve import NEIGHBOUR_M
 from fruitgui.tracking.second_look import Claims
 from fruitgui.tracking.settings import TrackerSettings
 from fruitgui.tracking.start import Start
 from fruitgui.tracking.track import Track
-from fruitgui.tracking.trail import Entry, Trail
+from fruitgui.tracking.trail import NEIGHBOUR_M, Entry, Trail
 
 CLUTTER_FRAMES = 6
 """A track of one or two views whose place then shows nothing for so many frames was never there."""

@@ -10,6 +10,9 @@ import numpy as np
 from fruitgui.frame import F64
 from fruitgui.perception.view import FruitView
 
+NEIGHBOUR_M = 0.12
+"""Centres farther apart than this belong to different fruit, whatever the frames say."""
+
 TELLING_FRAMES = 4
 """A sensor that saw two tracks less often, say at the edge of its picture, has no word in whether they are two."""
 
@@ -140,6 +143,11 @@ class Trail:
             self.company.get(other.number, Company()).both,
             other.company.get(self.number, Company()).both,
         )
+
+    def was_near(self, other: Trail) -> bool:
+        """Return whether any frame that told something of both had them closer than `NEIGHBOUR_M`."""
+        records = (self.company.get(other.number), other.company.get(self.number))
+        return any(record is not None and record.by_sensor for record in records)
 
     def parted(self, other: Trail) -> float:
         """Return the share of frames that showed this track and the other as two views, by the sensor that says most.

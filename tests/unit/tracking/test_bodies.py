@@ -127,6 +127,18 @@ def test_flat_things_that_one_sensor_always_parts_are_two() -> None:
     assert not one_body(*cards, RIG)
 
 
+def test_two_bananas_that_no_frame_had_near_each_other_are_two_though_the_belt_is_thought_to_run_askew() -> None:
+    """Their surfaces, carried back along a wrong way, seem to touch; hand and arm are larger and may be one."""
+    first, second = trail(1, 0.0, 0.074, 0.037), trail(2, 0.077, 0.083, 0.042)
+    first.last_s, second.first_s, second.last_s = 4.0, 0.1, 4.2
+    assert not one_body(first, second, RIG)
+    frames(first, second, (0, 0))
+    assert one_body(first, second, RIG)
+    hand, arm = trail(3, 0.0, 0.11, 0.038), trail(4, 0.125, 0.14, 0.04)
+    hand.last_s = arm.last_s = 4.0
+    assert one_body(hand, arm, RIG)
+
+
 def test_parts_must_touch_and_be_of_one_color() -> None:
     palm = trail(1, 0.0, 0.11, 0.038)
     apart, leaf = trail(2, 0.11, 0.03, 0.028), trail(3, 0.07, 0.03, 0.028, color=(0.2, 0.6))
