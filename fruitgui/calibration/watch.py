@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 
 from fruitgui.calibration import planes
@@ -20,6 +21,15 @@ from fruitgui.geometry.plane import Plane, Surface
 ALARM_SIGMA = 5.0
 PLANE_FLOOR_RAD, PLANE_FLOOR_M = float(np.radians(0.12)), 0.0015
 """Less than this is not worth an alarm: devices warm up and drift by as much."""
+
+ELSEWHERE = 0.05
+"""Where no larger share of the readings over the belt lies on it, fruit do not explain that."""
+
+STEP_PX = 4
+"""Every fourth pixel tells that as well as all."""
+
+LEAST_SEEN = 0.5
+"""Share of the belt's pixels that must have a reading for that; a sensor in the dark or covered tells nothing."""
 
 FRUIT_FLOOR_M = 0.004
 """Centres of one fruit from two sides differ by as much without any bump (shape, hidden undersides)."""
@@ -75,6 +85,38 @@ def plane_drift(frames: Sequence[Frame], surface: Surface) -> PlaneDrift | None:
     noise_rad, noise_m = _noise(fit, points)
     stale = tilt > PLANE_FLOOR_RAD + ALARM_SIGMA * noise_rad or abs(lift) > PLANE_FLOOR_M + ALARM_SIGMA * noise_m
     return PlaneDrift(tilt, lift, float(on.mean()), bool(stale))
+
+
+def belt_elsewhere(frames: Sequence[Frame], surface: Surface) -> bool:
+    """Tell whether hardly a reading over the station's belt lies on it in recent frames of one sensor.
+
+    The sensor was turned far away, looks at another belt, or its depth is in another unit. Without a region nothing is
+    told: a belt may be small in a picture.
+    """
+    still = average(frames)
+    coarse = (slice(None, None, STEP_PX), slice(None, None, STEP_PX))
+    over = _over_region(planes.rays_of(still, STEP_PX), surface)
+    seen = over & still.seen[coarse]
+    if over.sum() < 0.02 * over.size or seen.sum() < LEAST_SEEN * over.sum():
+        return False
+    return bool(_near_belt(still, surface.plane)[coarse][seen].mean() < ELSEWHERE)
+
+
+def _over_region(rays: F64, surface: Surface) -> Bools:
+    """Return which rays (h, w, 3) meet the belt inside the hull of its region; none where it has no region."""
+    if surface.region_m is None:
+        return np.zeros(rays.shape[:2], dtype=bool)
+    plane = surface.plane
+    flat = plane.frame()
+    with np.errstate(divide="ignore", invalid="ignore"):
+        z_m = -plane.offset_m / (rays @ plane.normal)
+    meets = np.isfinite(z_m) & (z_m > 0.0)
+    belt_m = flat.apply((rays * np.where(meets, z_m, 0.0)[..., None]).reshape(-1, 3))[:, :2]
+    hull = cv2.convexHull(flat.apply(surface.region_m)[:, :2].astype(np.float32)).reshape(-1, 2).astype(np.float64)
+    along = np.roll(hull, -1, axis=0) - hull
+    sides = [dx * (belt_m[:, 1] - y) - dy * (belt_m[:, 0] - x) for (x, y), (dx, dy) in zip(hull, along, strict=True)]
+    inside = np.all(np.array(sides) >= 0.0, axis=0) | np.all(np.array(sides) <= 0.0, axis=0)
+    return np.asarray(meets & inside.reshape(meets.shape))
 
 
 def _near_belt(still: Still, plane: Plane) -> Bools:

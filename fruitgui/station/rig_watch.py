@@ -8,7 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
-from fruitgui.calibration.watch import FruitDrift, PlaneDrift, fruit_drift, plane_drift
+from fruitgui.calibration.watch import FruitDrift, PlaneDrift, belt_elsewhere, fruit_drift, plane_drift
 from fruitgui.frame import F64, Frame
 from fruitgui.geometry.rig import Rig
 from fruitgui.tracking.track import Track
@@ -51,13 +51,20 @@ class RigWatch:
         """Look at a frame of a station sensor, now and then."""
         number = self._counts[sensor]
         self._counts[sensor] += 1
-        if number % self._every or sensor in self._said:
+        if number % self._pace(number) or sensor in self._said:
             return
         self._frames[sensor].append(frame)
         if len(self._frames[sensor]) == FRAMES_PER_LOOK:
-            drift = plane_drift(self._frames.pop(sensor), self._rig.mounts[sensor].surface)
+            frames, surface = self._frames.pop(sensor), self._rig.mounts[sensor].surface
+            drift = plane_drift(frames, surface)
             if drift is not None and drift.stale:
                 self._said[sensor] = _belt_moved(sensor, drift)
+            elif drift is None and belt_elsewhere(frames, surface):
+                self._said[sensor] = _belt_elsewhere(sensor)
+
+    def _pace(self, number: int) -> int:
+        """Return the so manieth frame that is kept: more of the first, since a recording may be short."""
+        return max(self._every // FRAMES_PER_LOOK, 1) if number < self._every else self._every
 
     def feel_turned(self, sensor: str, angle_rad: float) -> None:
         """Note that a sensor was turned, as its accelerometer says."""
@@ -99,6 +106,14 @@ def _turned(sensor: str, angle_rad: float) -> str:
     return (
         f"calibration_stale: sensor {sensor} was turned by {math.degrees(angle_rad):.1f}° since the line began, as it "
         "feels itself. Calibrate again; sizes and counts of this run may be wrong."
+    )
+
+
+def _belt_elsewhere(sensor: str) -> str:
+    return (
+        f"calibration_stale: what sensor {sensor} sees where the belt was when it was calibrated lies elsewhere: it "
+        "was moved far, looks at another belt, or its depth is in another unit. Calibrate again; sizes and counts of "
+        "this run may be wrong."
     )
 
 

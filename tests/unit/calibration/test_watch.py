@@ -1,10 +1,12 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from fruitgui.calibration.still import average
 from fruitgui.calibration.surface import fit_belt
-from fruitgui.calibration.watch import fruit_drift, plane_drift
+from fruitgui.calibration.watch import belt_elsewhere, fruit_drift, plane_drift
 from fruitgui.geometry.plane import Surface
 from tests.unit.calibration.worlds import OPPOSED, frames_of, looking_at, scattered
 
@@ -33,6 +35,18 @@ def test_a_bump_of_half_a_degree_is_seen() -> None:
 def test_nothing_in_view_says_nothing() -> None:
     away = looking_at([0.0, 3.0, 1.0], [0.0, 6.0, 0.0])
     assert plane_drift(frames_of("left", away, [], seed=1, count=2), station_surface()) is None
+
+
+def test_a_belt_that_is_nowhere_near_is_told_from_one_that_is_not_seen() -> None:
+    surface = station_surface()
+    frames = frames_of("left", OPPOSED["left"], scattered(2), seed=2, count=3)
+    assert surface.region_m is not None
+    assert not belt_elsewhere(frames, surface)
+    tenths = [replace(one, depth_mm=(10 * one.depth_mm.astype(np.uint32)).astype(np.uint16)) for one in frames]
+    assert belt_elsewhere(tenths, surface)
+    assert not belt_elsewhere(tenths, Surface(surface.plane))
+    dark = [replace(one, depth_mm=np.zeros_like(one.depth_mm)) for one in frames]
+    assert not belt_elsewhere(dark, surface)
 
 
 def test_fruit_that_two_sensors_see_apart_are_an_alarm() -> None:

@@ -43,3 +43,13 @@ def test_a_bumped_sensor_is_named(scene: tuple[Rig, list[Frame]], turn_deg: floa
     warnings = watched(Rig(rig.reference, {"kinect_1": replace(mount, surface=moved)}), frames)
     assert len(warnings) == 1
     assert warnings[0].startswith("calibration_stale: sensor kinect_1")
+
+
+def test_a_short_recording_tells_it_too(scene: tuple[Rig, list[Frame]]) -> None:
+    rig, frames = scene
+    watch = RigWatch(rig)
+    for number in range(EVERY_FRAMES):
+        frame = frames[number % len(frames)]
+        watch.see_frame("kinect_1", replace(frame, depth_mm=(frame.depth_mm * 1.25).astype(np.uint16)))
+    assert len(watch.warnings) == 1
+    assert "lies elsewhere" in watch.warnings[0]
