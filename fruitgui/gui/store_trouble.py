@@ -20,6 +20,7 @@ from fruitgui.gui.widgets.cards import label, set_health
 from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.backup import Backup
 from fruitgui.records.condition import set_aside
+from fruitgui.records.migrating import NEWER
 from fruitgui.records.restore import restore
 from fruitgui.records.told import DAMAGED, FAILED
 from fruitgui.records.unpacking import last_good_backup
@@ -54,14 +55,14 @@ class StoreTrouble(QDialog):
         self._lay_out()
         self._say_words()
         self._connect()
-        if self.damaged:
+        if self.damaged or error.code == NEWER:
             self._look()
         else:
             self._offer()
 
     @property
     def damaged(self) -> bool:
-        """Whether the file itself is what is wrong, so that a backup is a way out."""
+        """Whether the file itself is what is wrong, so that it can be set aside and a backup is the best way out."""
         return self._error.code in (DAMAGED, FAILED)
 
     @property
@@ -189,7 +190,7 @@ class StoreTrouble(QDialog):
             self._state.setText(self.tr("There is no good backup in this line's folder."))
         else:
             self._state.setText(self.tr("Nothing was changed, and nothing is lost."))
-        main = self.restore if backup is not None else self.again
+        main = self.restore if backup is not None and self.damaged else self.again
         for button in (self.again, self.restore):
             button.setProperty("role", "main" if button is main else "plain")
             button.style().unpolish(button)

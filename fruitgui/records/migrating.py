@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import sqlite3
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ from fruitgui.records.database import Database
 from fruitgui.records.told import damaged, told
 
 NEWER = "store_newer"
+_VERSION = re.compile("(?!0000)[0-9]{4}")
 SCRIPTS = Path(__file__).parent / "migrations"
 
 
@@ -51,7 +53,12 @@ def version_of(path: Path) -> str | None:
                 raise damaged(path, "it holds other tables than ours")
             return None
         row = connection.execute("SELECT version_num FROM alembic_version").fetchone()
-        return None if row is None else str(row[0])
+    if row is None and len(tables) == 1:
+        return None
+    version = "" if row is None else str(row[0])
+    if not _VERSION.fullmatch(version):
+        raise damaged(path, f"it says that its tables are of version {version!r}")
+    return version
 
 
 @contextlib.contextmanager

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -113,6 +115,34 @@ def test_a_store_that_another_program_holds_is_waited_for_and_never_set_aside(qt
     assert not dialog.restore.isVisible()
     dialog.again.click()
     assert dialog.result() == QDialog.DialogCode.Accepted
+
+
+def test_records_of_a_newer_program_are_left_as_they_are_and_a_backup_of_this_one_is_offered(
+    qtbot: QtBot, tmp_path: Path
+) -> None:
+    folder, clock = tmp_path / "line", Clock(START_S)
+    folder.mkdir()
+    with open_store(folder, clock) as store:
+        run(store, clock, "1184", "", 4)
+    back_up(folder, backup_path(folder, START_S), START_S)
+    with contextlib.closing(sqlite3.connect(folder / "records.sqlite")) as connection, connection:
+        connection.execute("UPDATE alembic_version SET version_num = '9999'")
+    newer = (folder / "records.sqlite").read_bytes()
+    dialog = StoreTrouble(folder, _error(folder))
+    qtbot.addWidget(dialog)
+    dialog.show()
+    qtbot.waitUntil(lambda: not dialog.busy, timeout=20_000)
+    assert "newer version" in dialog._what.text()
+    assert not dialog.anew.isVisible(), "they are sound"
+    assert dialog.restore.isVisible()
+    assert not dialog.restore.isDefault(), "starting the newer program loses nothing"
+    assert (folder / "records.sqlite").read_bytes() == newer
+    dialog.restore.click()
+    qtbot.waitUntil(lambda: dialog.result() == QDialog.DialogCode.Accepted, timeout=20_000)
+    with open_store(folder) as store:
+        assert _fruit(store) == {"1184": 4}
+    (aside,) = folder.glob("aside-*")
+    assert (aside / "records.sqlite").read_bytes() == newer
 
 
 def test_opening_is_tried_again_until_it_goes_well(qtbot: QtBot, folder: Path) -> None:

@@ -154,6 +154,24 @@ def test_a_database_of_another_program_is_refused(tmp_path: Path) -> None:
     assert caught.value.code == "store_damaged"
 
 
+@pytest.mark.parametrize("said", ["0000", "spring", "", None])
+def test_a_version_that_never_was_is_damage_and_nothing_is_touched(tmp_path: Path, said: str | None) -> None:
+    with open_store(tmp_path) as store:
+        store.lots.start(LotPlan("old"))
+    path = tmp_path / RECORDS.file
+    connection = sqlite3.connect(path)
+    connection.execute("DELETE FROM alembic_version" if said is None else "UPDATE alembic_version SET version_num = ?",
+                       () if said is None else (said,))  # fmt: skip
+    connection.commit()
+    connection.close()
+    before = path.read_bytes()
+    with pytest.raises(WorldError) as caught:
+        open_store(tmp_path)
+    assert caught.value.code == "store_damaged"
+    assert path.read_bytes() == before
+    assert not list(tmp_path.glob("pictures.damaged*")), "its pictures are sound"
+
+
 def test_sums_of_before_take_the_usual_part_of_what_fruit_err_by_for_shared(tmp_path: Path) -> None:
     bring_up_to_date(tmp_path / RECORDS.file, _only(tmp_path, "0003")).close()
     connection = sqlite3.connect(tmp_path / RECORDS.file)
