@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,7 @@ from fruitgui.frame import F64
 from fruitgui.records.journal import Taught
 from fruitgui.records.taught import KeptTaught, Sample
 from fruitgui.records.teaching import Teaching
+from fruitgui.station.kind_names import known_kind
 from fruitgui.station.labels import Label, read_labels
 from fruitgui.station.pointing import NEAREST_FRAME_S
 
@@ -73,16 +74,18 @@ def _text(value: float | None) -> object:
 def import_labels(teaching: Teaching, source: str, path: Path, who: str = "") -> LabelsRead:
     """Name the fruit of a source as a labels file says, in one step; each row must point at a sample of a fruit.
 
-    The fruit must be there (the source was watched); rows that point at none are told by line.
+    The fruit must be there (the source was watched); rows that point at none are told by line. A kind that people would
+    read as one that is taught already is that one.
 
     Raises:
         InputError: the file cannot be used, or no row points at a fruit.
         WorldError: it cannot be kept.
     """
     read = read_labels(path)
-    pointed = _pointed_at(read.labels, teaching.samples(source))
+    labels = _as_known(read.labels, (one.kind for one in teaching.counts()))
+    pointed = _pointed_at(labels, teaching.samples(source))
     said: dict[int, list[Label]] = defaultdict(list)
-    for label in read.labels:
+    for label in labels:
         if label.line in pointed:
             said[pointed[label.line]].append(label)
     if not said:
@@ -97,6 +100,16 @@ def import_labels(teaching: Teaching, source: str, path: Path, who: str = "") ->
         if label.line not in pointed
     ]
     return LabelsRead(len(pointed), len(said), (*read.warnings, *missed))
+
+
+def _as_known(labels: Sequence[Label], taught: Iterable[str]) -> list[Label]:
+    """Return labels whose kinds are the taught ones, or those of rows before, where people would read them as one."""
+    known = list(taught)
+    found: dict[str, str] = {}
+    for kind in dict.fromkeys(label.kind for label in labels):
+        found[kind] = known_kind(kind, known)
+        known.append(found[kind])
+    return [replace(label, kind=found[label.kind]) for label in labels]
 
 
 def _values(taught: int, labels: Sequence[Label]) -> Iterator[tuple[int, Taught, str | float]]:

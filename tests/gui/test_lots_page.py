@@ -238,6 +238,42 @@ def test_several_fruit_are_left_out_at_once_and_put_back(qtbot: QtBot, page: Lot
     assert run_session.store.lots.totals(LOT)[0].fruit == MANY // 4
 
 
+def test_a_lot_that_is_looked_at_is_the_one_in_which_a_correction_is_taken_back(
+    qtbot: QtBot, page: LotsPage, run_session: Session
+) -> None:
+    _at_fruit(qtbot, page)
+    panel = page.lot.fruit
+    panel.table.view.setFocus()
+    panel.table.view.selectRow(0)
+    qtbot.keyClick(panel.table.view, Qt.Key.Key_Delete)
+    qtbot.waitUntil(lambda: _counts(page)["lemon"] == MANY // 4 - 1)
+    page.lots.view.setCurrentIndex(page.lots.model.index(1, 0))
+    _settled(qtbot, page)
+    assert page.lot.read is not None
+    assert page.lot.read.figures.lot.key == LOT - 1
+    assert not panel.hand.undo.isEnabled(), "nothing was said of this lot"
+    qtbot.keyClick(panel.table.view, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    _settled(qtbot, page)
+    assert run_session.store.fruit.find(FruitQuery(LOT, which="left_out")).found == 1
+    page.lots.view.setCurrentIndex(page.lots.model.index(0, 0))
+    _settled(qtbot, page)
+    panel.hand.undo.click()
+    qtbot.waitUntil(lambda: _counts(page)["lemon"] == MANY // 4)
+
+
+def test_a_kind_that_is_typed_is_the_one_that_people_would_read_it_as(qtbot: QtBot, page: LotsPage) -> None:
+    _at_fruit(qtbot, page)
+    panel = page.lot.fruit
+    panel.table.view.selectRow(0)
+    before = _counts(page)
+    panel.hand._menu.actions()[-1].trigger()
+    qtbot.waitUntil(panel.hand._dialog.isVisible)
+    panel.hand._dialog.setTextValue("RED_apple")
+    panel.hand._dialog.accept()
+    qtbot.waitUntil(lambda: _counts(page) != before)
+    assert _counts(page) == {**before, "lemon": before["lemon"] - 1, "red apple": before["red apple"] + 1}
+
+
 def test_a_fruit_that_was_missed_is_added_and_taken_back(
     qtbot: QtBot, page: LotsPage, run_session: Session, tmp_path: Path
 ) -> None:
@@ -424,7 +460,7 @@ def _walk(qtbot: QtBot, page: LotsPage) -> None:
     qtbot.waitUntil(lambda: panel.opened)
     qtbot.keyClick(panel.large.picture, Qt.Key.Key_2)
     _settled(qtbot, page)
-    page.desk.undo()
+    page.desk.undo(LOT)
     _settled(qtbot, page)
     panel.close_fruit()
     page.lot.show_summary()

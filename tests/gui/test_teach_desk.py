@@ -32,11 +32,22 @@ def test_kinds_keep_their_keys_when_others_come() -> None:
     assert [line.key for line in desk.lines()] == [*"123456789", "", "", "", "0"]
 
 
-def test_a_kind_that_differs_in_case_or_space_only_is_the_same() -> None:
-    desk = _desk("Red apple")
-    assert desk.add_kind("  red   APPLE ") == "Red apple"
-    assert desk.add_kind("UNKNOWN") == UNKNOWN
-    assert desk.order == ("Red apple",)
+@pytest.mark.parametrize(
+    ("typed", "same"),
+    [
+        ("  red   APPLE ", "Red apple"),
+        ("red_apple", "Red apple"),
+        ("Limo\u0301n", "Limón"),
+        ("green apple", "green_apple"),
+        ("UNKNOWN", UNKNOWN),
+    ],
+)
+def test_a_kind_that_people_would_read_as_one_that_is_there_is_that_one(typed: str, same: str) -> None:
+    desk = _desk("green_apple", "Limón", "Red apple")
+    before = desk.order
+    assert desk.add_kind(typed) == same
+    assert desk.order == before
+    assert desk.add_kind(" Lima  dulce ") == "Lima dulce"
 
 
 def test_a_kind_is_full_with_enough_views_of_enough_fruit() -> None:

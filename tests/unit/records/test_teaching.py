@@ -214,6 +214,21 @@ def test_a_label_between_two_samples_points_at_the_fruit_and_one_beside_it_is_to
     assert store.teaching.get(key).fruit.kind == "lemon"
 
 
+def test_labels_that_write_a_kind_otherwise_mean_the_one_that_is_taught(store: Store, tmp_path: Path) -> None:
+    keys = _add(store, range(4))
+    store.teaching.name(keys[:1], "Red apple")
+    path = tmp_path / "morning.csv"
+    store.teaching.name(keys[1:], "x")
+    write_labels(store.teaching, "morning.mcap", path)
+    written = iter(["Red apple", "red_apple", "Limón", "Limo\u0301n"])
+    lines = path.read_text(encoding="utf-8").splitlines()
+    kinds = {fruit: next(written) for fruit in dict.fromkeys(line.split(",")[6] for line in lines[1:])}
+    changed = [",".join([*(cells := line.split(","))[:4], kinds[cells[6]], *cells[5:]]) for line in lines[1:]]
+    path.write_text("\n".join([lines[0], *changed]), encoding="utf-8")
+    assert import_labels(store.teaching, "morning.mcap", path).fruit == 4
+    assert [(one.kind, one.fruit) for one in store.teaching.counts()] == [("Limón", 2), ("Red apple", 2)]
+
+
 def test_labels_of_another_recording_are_refused(store: Store, tmp_path: Path) -> None:
     _add(store, range(1))
     path = tmp_path / "wrong.csv"

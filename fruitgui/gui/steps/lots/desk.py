@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import time
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -25,6 +26,7 @@ from fruitgui.records.fruit_record import FruitRecord
 from fruitgui.records.fruit_search import FruitPage
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.store import Store
+from fruitgui.station.kind_names import known_kind
 from fruitgui.station.station import Station
 from fruitgui.station.station_file import station_of
 
@@ -66,15 +68,14 @@ class Desk(QObject):
         super().__init__(parent)
         self._store = store
         self._station: tuple[int, Station | None] | None = None
-        self._undo = Undo()
+        self._undo: defaultdict[int | None, Undo] = defaultdict(Undo)
         self.known: Sequence[str] = ()
         self.queries = Queries(self)
         self.queries.failed.connect(self.failed)
 
-    @property
-    def can_undo(self) -> bool:
-        """Whether something was said that can be taken back."""
-        return len(self._undo) > 0
+    def can_undo(self, lot: int | None) -> bool:
+        """Tell whether something was said of a lot's fruit that can be taken back."""
+        return len(self._undo[lot]) > 0
 
     def ask_lots(self, query: LotQuery, page: int) -> None:
         """Ask for a page of lots."""
@@ -86,8 +87,9 @@ class Desk(QObject):
 
         def read() -> ReadLot:
             figures = read_figures(self._store, lot, time.time())
-            taught = [one.kind for one in self._store.teaching.counts()]
-            return ReadLot(figures, kinds_in_order(known, [*taught, *(one.kind for one in figures.kinds)]))
+            there = kinds_in_order(known, (one.kind for one in figures.kinds))
+            taught = (known_kind(one.kind, there) for one in self._store.teaching.counts())
+            return ReadLot(figures, kinds_in_order(known, [*there, *taught]))
 
         self.queries.ask("lot", read, self.lot_read.emit)
 
@@ -130,9 +132,9 @@ class Desk(QObject):
         """Correct fruit; they are given as they are before."""
         self.queries.change(lambda: word.say(self._store), lambda said: self._said(said, undoing(said, fruit)))
 
-    def undo(self) -> None:
-        """Take the last correction back."""
-        words = self._undo.take()
+    def undo(self, lot: int | None) -> None:
+        """Take the last correction of a lot's fruit back; what is seen is what changes."""
+        words = self._undo[lot].take()
 
         def say() -> None:
             for word in words:
@@ -143,7 +145,7 @@ class Desk(QObject):
 
     def _said(self, word: Word, back: list[Word]) -> None:
         if back:
-            self._undo.add(back)
+            self._undo[word.lot].add(back)
         self.corrected.emit(word)
 
     def _read_fruit(self, key: int) -> ShownFruit:

@@ -96,7 +96,7 @@ class FruitPanel(Card):
         self.large.closed.connect(self.close_fruit)
         self.large.stepped.connect(self._step)
         self.hand.said.connect(self._say)
-        self.hand.undo_wanted.connect(desk.undo)
+        self.hand.undo_wanted.connect(self._undo)
         desk.fruit_read.connect(self._take_page)
         desk.pictures_read.connect(table.model.take_pictures)
         desk.fruit_shown.connect(self._show_fruit)
@@ -156,12 +156,13 @@ class FruitPanel(Card):
         chosen = self._chosen()
         kind, counted = (chosen[0].kind, chosen[0].counted) if chosen else ("", True)
         self.large.show_steps(before=self._row_after(-1) is not None, after=self._row_after(1) is not None)
-        self.hand.show_chosen(len(chosen), kind, counted, self._desk.can_undo)
+        self.hand.show_chosen(len(chosen), kind, counted, self._desk.can_undo(self.table.wanted.lot))
+
+    def _undo(self) -> None:
+        self._desk.undo(self.table.wanted.lot)
 
     def _say(self, deed: Deed, kind: str, note: str) -> None:
-        if deed is Deed.ADD:
-            self._desk.say(Word(deed, (), kind, note, self.table.wanted.lot), ())
-            return
-        chosen = self._chosen()
-        if chosen:
-            self._desk.say(Word(deed, tuple(one.key for one in chosen), kind, note), chosen)
+        chosen = [] if deed is Deed.ADD else self._chosen()
+        if chosen or deed is Deed.ADD:
+            keys = tuple(one.key for one in chosen)
+            self._desk.say(Word(deed, keys, kind, note, self.table.wanted.lot), chosen)

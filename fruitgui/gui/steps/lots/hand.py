@@ -33,7 +33,7 @@ class Word:
 
     Attributes:
         deed: what. fruit: keys. kind: for `NAME` and `ADD`. note: in a person's words.
-        lot: key of the lot that a fruit is added to.
+        lot: key of the lot whose fruit they are, or that one is added to.
     """
 
     deed: Deed
@@ -83,15 +83,16 @@ def undoing(word: Word, fruit: Sequence[FruitRecord]) -> list[Word]:
         fruit: as they were before it.
     """
     if word.deed is Deed.ADD:
-        return [Word(Deed.LEAVE_OUT, word.fruit)]
+        return [Word(Deed.LEAVE_OUT, word.fruit, lot=word.lot)]
     if word.deed is Deed.LEAVE_OUT:
         keys = tuple(one.key for one in fruit if one.counted)
-        return [Word(Deed.PUT_BACK, keys)] if keys else []
+        return [Word(Deed.PUT_BACK, keys, lot=word.lot)] if keys else []
     if word.deed is Deed.PUT_BACK:
         keys = tuple(one.key for one in fruit if not one.counted)
-        return [Word(Deed.LEAVE_OUT, keys)] if keys else []
+        return [Word(Deed.LEAVE_OUT, keys, lot=word.lot)] if keys else []
     kinds = dict.fromkeys(one.kind for one in fruit)
-    return [Word(Deed.NAME, tuple(one.key for one in fruit if one.kind == kind), kind) for kind in kinds]
+    named = ((kind, tuple(one.key for one in fruit if one.kind == kind)) for kind in kinds)
+    return [Word(Deed.NAME, keys, kind, lot=word.lot) for kind, keys in named]
 
 
 class Undo:

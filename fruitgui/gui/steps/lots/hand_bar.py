@@ -15,6 +15,7 @@ from fruitgui.gui.theme.kinds import UNKNOWN, UNKNOWN_MARK, KindMark
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.kind_mark import mark_pixmap
+from fruitgui.station.kind_names import known_kind
 from fruitgui.station.labels import LONGEST_KIND
 
 MOST_KEYS = 9
@@ -196,6 +197,7 @@ class HandBar(QWidget):
         if not text:
             return
         if self._dialog.property("deed"):
-            self.said.emit(Deed.NAME, text[: int(self._dialog.property("longest"))], "")
+            kind = known_kind(text[: int(self._dialog.property("longest"))], self._kinds)
+            self.said.emit(Deed.NAME, kind, "")
         else:  # a note says again what holds, and why
             self.said.emit(Deed.NAME, self._kind, text)

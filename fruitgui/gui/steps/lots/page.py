@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from functools import partial
 
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
 from PySide6.QtGui import QAction, QKeySequence, QResizeEvent, QShortcut
@@ -248,10 +249,8 @@ class LotsPage(StepPage):
     def _corrected(self, word: Word) -> None:
         self.lots.model.refresh()
         self._read_lot()
-        undo = self.desk.can_undo
-        self._session.messages.info(
-            lambda: Told(word.text, action=self.tr("Undo") if undo else ""), self.desk.undo if undo else None
-        )
+        undo = partial(self.desk.undo, word.lot) if self.desk.can_undo(word.lot) else None
+        self._session.messages.info(lambda: Told(word.text, action=self.tr("Undo") if undo else ""), undo)
 
     # what is done
 

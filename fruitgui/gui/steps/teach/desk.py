@@ -12,6 +12,7 @@ from fruitgui.gui.kind_words import kinds_in_order
 from fruitgui.records.insight import Guess, Insight, enough_named
 from fruitgui.records.journal import Change
 from fruitgui.records.teaching import Brief, KindCount
+from fruitgui.station.kind_names import known_kind
 from fruitgui.station.workflow import FRUIT_PER_KIND, SAMPLES_PER_KIND
 
 MOST_KEYS = 9
@@ -88,12 +89,11 @@ class Desk:
         self.order = kinds_in_order(order, (one.kind for one in self.fruit.values() if one.kind is not None))
 
     def add_kind(self, kind: str) -> str:
-        """Add a kind, and return it; one that differs only in case or space is the same."""
-        kind = " ".join(kind.split())
-        same = next((one for one in (*self.order, UNKNOWN) if one.casefold() == kind.casefold()), None)
-        if same is None:
+        """Add a kind, and return it; one that people would read as a kind that is there is that one."""
+        kind = known_kind(kind, self.order)
+        if kind not in (*self.order, UNKNOWN):
             self.order = (*self.order, kind)
-        return same or kind
+        return kind
 
     def keys(self, shelf: Shelf) -> list[int]:
         """Return the fruit of a shelf, in the order in which they are shown."""
