@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QDialog
 
 from fruitgui.errors import FruitguiError
 from fruitgui.gui import error_words
+from fruitgui.gui.closing import ClosingQuestion
 from fruitgui.gui.enlarged import enlarged
 from fruitgui.gui.gc_confinement import ConfinedCollector
 from fruitgui.gui.health import HealthWatch
@@ -66,6 +67,7 @@ class Application(QObject):
         self._dress(self.session.settings)
         pages = Pages(self.session, self.theme)
         self.window = MainWindow(self.theme, self.session.messages, self.session.tasks, pages, self._close)
+        self.closing = ClosingQuestion(self.window, lambda: self.session.running.unkept)
         self.page_making = PageMaking(
             self.window, pages.__getitem__, self.window.page, lambda step: pages[step].complete(), self
         )
@@ -117,7 +119,9 @@ class Application(QObject):
         return Message(Level.BAD, told, take, stays=True)
 
     def _close(self) -> bool:
-        """End all that runs; it was saved as it came, or is now."""
+        """End all that runs; it was saved as it came, or is now. False where it cannot be, and a person is asked."""
+        if self.closing.keeps_open():
+            return False
         self.page_making.stop()
         self._housekeeping.stop()
         self._health.stop()
@@ -211,7 +215,7 @@ def run(workspace_folder: Path | None = None) -> int:
     waker.timeout.connect(lambda: None)
     waker.start()
     # Python hears a signal wherever it is, in the middle of a painting too: the window closes after that.
-    close = partial(QTimer.singleShot, 0, application.window, application.window.close)
+    close = partial(QTimer.singleShot, 0, application.window, application.closing.close_unasked)
     before = {number: signal.signal(number, lambda *_: close()) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
         return qt.exec()

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication
 
+from fruitgui.gui.going_on import GoingOn
 from fruitgui.gui.numbers import count_text
 from fruitgui.gui.tasks import Job
 from fruitgui.gui.told import Told
@@ -28,13 +29,14 @@ class EndedLot:
     fruit: int
 
 
-def ending(store: Store, line: LineApart, lot: Lot) -> Job[EndedLot]:
+def ending(store: Store, line: LineApart, lot: Lot, owed: GoingOn) -> Job[EndedLot]:
     """Return the job that stops a line, counts what is in view, and ends its lot."""
 
     def job(progress: Progress, cancelled: Cancelled) -> EndedLot:  # noqa: ARG001 - it ends within seconds
         progress(0.0, IN_VIEW)
         line.stop()
         line.keep_rest()
+        owed.keep()
         return _with_count(store, store.lots.end(lot.key))
 
     return job
@@ -49,12 +51,13 @@ def ending_left_open(store: Store, lot: Lot) -> Job[EndedLot]:
     return job
 
 
-def leaving(store: Store, line: LineApart, lot: Lot) -> Job[Lot]:
+def leaving(store: Store, line: LineApart, lot: Lot, owed: GoingOn) -> Job[Lot]:
     """Return the job that stops a line, counts what is in view, and leaves its lot open."""
 
     def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - it ends within seconds
         line.stop()
         line.keep_rest()
+        owed.keep()
         return store.lots.pause(lot.key)
 
     return job

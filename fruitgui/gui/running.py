@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import logging
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
@@ -11,6 +13,7 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 from fruitgui.errors import FruitguiError, InputError, WorldError
 from fruitgui.gui.beginning import Begun, LinePlan, begun, source_name
 from fruitgui.gui.connected import Connected
+from fruitgui.gui.going_on import GoingOn
 from fruitgui.gui.lot_jobs import (
     STARTS,
     EndedLot,
@@ -37,6 +40,7 @@ from fruitgui.station.noted import NotedSink
 
 T = TypeVar("T")
 
+log = logging.getLogger(__name__)
 translate = QCoreApplication.translate
 
 TICK_MS = 100
@@ -73,6 +77,7 @@ class Running(QObject):
         self._spells = Queries(self)
         self._spells.failed.connect(messages.error)
         self._notes = LotNotes(self._spells, store.spells)
+        self._owed = GoingOn(store.lots, self._spells)
         self._busy = self._stopping = self._closed = False
         self._made: Begun | None = None
         self.lot: Lot | None = None
@@ -114,6 +119,12 @@ class Running(QObject):
         return 0 if self._aside is None else self._aside.fruit
 
     @property
+    def unkept(self) -> int:
+        """How many fruit wait in memory because the disk takes nothing; the program's end loses them."""
+        sink = None if self._line is None else self._line.state.sink
+        return 0 if sink is None or sink.problem is None else sink.waiting
+
+    @property
     def previews(self) -> dict[str, Preview]:
         """The newest pictures of the line."""
         return {} if self._line is None else self._line.previews
@@ -143,15 +154,20 @@ class Running(QObject):
         if line is None or lot is None or self._busy or self._stopping:
             return
         line.count_into(None)
-        self._keep(lambda: self._store.lots.pause(lot.key))
+
+        def pause() -> Lot:
+            self._owed.keep()
+            return self._store.lots.pause(lot.key)
+
+        self._keep(pause)
 
     def resume(self) -> None:
-        """Count again."""
-        line, lot = self._line, self.lot
+        """Count again, though the disk may be full: fruit wait for it then."""
+        line, lot, since_s = self._line, self.lot, time.time()
         if line is None or lot is None or self._busy or self._stopping:
             return
         line.count_into(lot.key)
-        self._keep(lambda: self._store.lots.resume(lot.key))
+        self._keep(lambda: self._store.lots.resume(lot.key, since_s), partial(self._go_on_unkept, since_s))
 
     def end_lot(self) -> None:
         """Stop the line, count what is in view, and end the lot; one that was left open ends as it is.
@@ -163,7 +179,7 @@ class Running(QObject):
             return
         self._stopping = line is not None
 
-        job = ending_left_open(self._store, lot) if line is None else ending(self._store, line, lot)
+        job = ending_left_open(self._store, lot) if line is None else ending(self._store, line, lot, self._owed)
         self._run(lambda: translate("Running", "Ending the lot"), job, self._ended)
 
     def close(self) -> bool:
@@ -172,7 +188,7 @@ class Running(QObject):
         line, self._line = self._line or (None if self._made is None else self._made.line), None
         self._tick.stop()
         self._note(None)
-        done = True if line is None else line.stop(CLOSE_S)
+        done = line is None or (line.stop(CLOSE_S) and _kept_rest(line))
         return self._spells.finish() and done
 
     def _begin(self, plan: LinePlan, lot: Callable[[], Lot]) -> None:
@@ -215,11 +231,18 @@ class Running(QObject):
         self._messages.good(lambda: ended_told(ended))
         self.changed.emit()
 
-    def _keep(self, change: Callable[[], Lot]) -> None:
+    def _keep(self, change: Callable[[], Lot], failed: Callable[[FruitguiError], None] | None = None) -> None:
         def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - one row of a table
             return change()
 
-        self._run(lambda: translate("Running", "Keeping the lot"), job, self._kept)
+        self._run(lambda: translate("Running", "Keeping the lot"), job, self._kept, failed)
+
+    def _go_on_unkept(self, since_s: float, error: FruitguiError) -> None:
+        """Count on where the disk cannot take that a pause is over; it is kept with the fruit that wait."""
+        if self.lot is not None and isinstance(error, WorldError):
+            self._owed.owe(self.lot.key, since_s)
+            self.lot = self.lot.gone_on(since_s)
+        self._failed(error)
 
     def _left(self, lot: Lot) -> None:
         self._take_counted()
@@ -230,20 +253,22 @@ class Running(QObject):
         self.lot = lot
         self.changed.emit()
 
-    def _run(self, name: Words, job: Job[T], done: Callable[[T], None]) -> None:
+    def _run(
+        self, name: Words, job: Job[T], done: Callable[[T], None], failed: Callable[[FruitguiError], None] | None = None
+    ) -> None:
         self._busy = True
         task = self._tasks.run(name, job, doing)
         for over in (task.succeeded, task.failed, task.cancelled):
             over.connect(self._rest)
         task.succeeded.connect(done)
-        task.failed.connect(self._failed)
+        task.failed.connect(failed or self._failed)
         task.cancelled.connect(self.changed)
 
     def _rest(self) -> None:
         self._busy = False
 
     def _failed(self, error: FruitguiError) -> None:
-        """Say what failed; a pause, or its end, that could not be kept is none: the line does what the lot says."""
+        """Say what failed; a pause that could not be kept is none: the line does what the lot says."""
         if self._line is not None and self.lot is not None:
             self._line.count_into(None if self.lot.paused else self.lot.key)
         self._messages.error(error)
@@ -255,6 +280,7 @@ class Running(QObject):
             self._state = self._line.state
             self._watch_rig(self._state)
             self._note(self._state)
+            self._owed.try_again()
         self._take_counted()
 
     def _take_counted(self) -> None:
@@ -281,5 +307,16 @@ class Running(QObject):
         self._stopping = True
         self._tick.stop()
         self._note(None)
-        self._run(lambda: translate("Running", "Stopping the line"), leaving(self._store, line, lot), self._left)
+        job = leaving(self._store, line, lot, self._owed)
+        self._run(lambda: translate("Running", "Stopping the line"), job, self._left)
         self._messages.say(Message(Level.BAD, sensors_changed_told, stays=True))
+
+
+def _kept_rest(line: LineApart) -> bool:
+    """Keep what a line that is over still holds, as far as there is time; tell whether that was all."""
+    try:
+        line.keep_rest(CLOSE_S)
+    except WorldError as error:
+        log.warning("%d fruit that waited for the disk were let go: %s", line.state.sink.waiting, error.what)
+        return False
+    return not line.state.sink.waiting

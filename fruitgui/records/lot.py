@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sqlalchemy import select
@@ -91,6 +91,12 @@ class Lot:
     def paused(self) -> bool:
         """Whether it stands still now."""
         return bool(self.pauses) and self.pauses[-1].to_s is None
+
+    def gone_on(self, since_s: float) -> Lot:
+        """Return it as it is where its pause ended then."""
+        if not self.paused:
+            return self
+        return replace(self, pauses=(*self.pauses[:-1], replace(self.pauses[-1], to_s=since_s)))
 
     def ran_s(self, now_s: float) -> float:
         """Return how long it has run until now or its end, pauses left out."""

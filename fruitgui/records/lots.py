@@ -99,13 +99,14 @@ class Lots:
                 session.add(PauseRow(lot_id=lot, from_s=self._now_s(), to_s=None, why=why))
             return lot_of(session, row)
 
-    def resume(self, lot: int) -> Lot:
-        """Let a lot go on; one that runs already stays as it is."""
+    def resume(self, lot: int, since_s: float | None = None) -> Lot:
+        """Let a lot go on, since now or a time before, Unix seconds; one that runs already stays as it is."""
         with self._database.writing() as session:
             row = _still_open(session, lot)
             pause = _open_pause(session, lot)
             if pause is not None:
-                pause.to_s = max(self._now_s(), pause.from_s)  # the computer's clock may have been set back
+                ends_s = self._now_s() if since_s is None else since_s
+                pause.to_s = max(ends_s, pause.from_s)  # the computer's clock may have been set back
             return lot_of(session, row)
 
     def take_up(self, lot: int) -> Lot:

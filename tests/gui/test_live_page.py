@@ -6,10 +6,11 @@ import threading
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from fruitgui.errors import WorldError
+from fruitgui.gui.closing import ClosingQuestion
 from fruitgui.gui.session import Session
 from fruitgui.gui.steps.live.end_dialog import EndDialog
 from fruitgui.gui.steps.live.lot_dialog import LotDialog
@@ -18,6 +19,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.restore import READY
+from fruitgui.records.store import open_store
 from fruitgui.station.live import Phase
 from fruitgui.station.workflow import State, Step
 from tests.gui.line_recording import FRUIT, LineRecording, line_recording
@@ -310,3 +312,79 @@ def test_a_lot_that_ends_while_the_disk_is_full_loses_nothing(
     assert session.running.tally.count_all == FRUIT
     (kept,) = session.store.lots.find(LotQuery()).lots
     assert (kept.fruit, kept.lot.ended_s is not None) == (FRUIT, True)
+
+
+def test_a_lot_goes_on_though_the_disk_cannot_take_that(
+    qtbot: QtBot, session: Session, ready: LivePage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _start(qtbot, session, ready)
+    ready.pause.trigger()
+    qtbot.waitUntil(lambda: session.running.paused, timeout=LONG_MS)
+    lot = session.running.lot
+    assert lot is not None
+    with monkeypatch.context() as full:
+        full.setattr(session.store.lots, "resume", _full)
+        ready.resume.trigger()
+        qtbot.waitUntil(lambda: not session.running.busy, timeout=LONG_MS)
+        assert not session.running.paused
+        assert "disk is full" in session.messages.history[-1].what
+        qtbot.waitUntil(lambda: session.running.state is not None and session.running.state.lot == lot.key)
+        assert session.store.lots.get(lot.key).paused, "as a crash would leave it"
+    qtbot.waitUntil(lambda: not session.store.lots.get(lot.key).paused, timeout=LONG_MS)
+    _run_to_the_end(qtbot, session)
+    _end(qtbot, session, ready)
+    (pause,) = session.store.lots.get(lot.key).pauses
+    assert pause.to_s is not None
+    ended_s = session.store.lots.get(lot.key).ended_s
+    assert ended_s is not None
+    assert pause.to_s < ended_s
+
+
+def test_what_a_lot_still_owes_the_disk_is_kept_before_its_end(
+    qtbot: QtBot, session: Session, ready: LivePage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _start(qtbot, session, ready)
+    ready.pause.trigger()
+    qtbot.waitUntil(lambda: session.running.paused, timeout=LONG_MS)
+    lot = session.running.lot
+    assert lot is not None
+    monkeypatch.setattr(session.running._owed, "try_again", lambda: None)
+    with monkeypatch.context() as full:
+        full.setattr(session.store.lots, "resume", _full)
+        ready.resume.trigger()
+        qtbot.waitUntil(lambda: not session.running.busy, timeout=LONG_MS)
+    since_s = session.running.lot.pauses[-1].to_s if session.running.lot is not None else None
+    _run_to_the_end(qtbot, session)
+    _end(qtbot, session, ready)
+    kept = session.store.lots.get(lot.key)
+    assert [one.to_s for one in kept.pauses] == [since_s]
+    assert kept.ended_s is not None
+
+
+def test_closing_tells_which_fruit_wait_for_the_disk(
+    qtbot: QtBot, session: Session, ready: LivePage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.show()
+    question = ClosingQuestion(window, lambda: session.running.unkept)
+    assert not question.keeps_open()
+    with monkeypatch.context() as full:
+        full.setattr(session.store, "commit", _full)
+        _start(qtbot, session, ready)
+        _run_to_the_end(qtbot, session)
+        assert question.keeps_open()
+        assert question.dialog is not None
+        assert question.dialog.stay.isDefault()
+        said = [one.text() for one in question.dialog.findChildren(QLabel)]
+        assert f"Fruit that wait for the disk: {FRUIT}" in said
+        question.dialog.reject()
+        assert window.isVisible()
+        assert question.keeps_open(), "it is asked again"
+        question.dialog.leave.click()
+        assert not window.isVisible()
+        assert not question.keeps_open()
+    assert session.close(), "there was room again"
+    with open_store(session.workspace.folder) as store:
+        (kept,) = store.lots.find(LotQuery()).lots
+    assert kept.fruit == FRUIT

@@ -9,6 +9,7 @@ from functools import partial
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QDialog, QLineEdit, QVBoxLayout, QWidget
 
+from fruitgui.gui.closing import LossDialog
 from fruitgui.gui.help_window import HelpWindow
 from fruitgui.gui.settings_dialog import SettingsDialog
 from fruitgui.gui.shots.stage import Scene, Stage
@@ -113,6 +114,7 @@ def _help(stage: Stage, step: Step | None = None) -> Iterator[QWidget]:
 SCENES: tuple[Scene, ...] = (
     Scene("dialog-new-lot", partial(_opened, make=_lot_dialog)),
     Scene("dialog-end-lot", partial(_opened, make=_end_dialog)),
+    Scene("dialog-close-full", partial(_opened, make=lambda: LossDialog(1_204))),
     Scene("dialog-settings", partial(_opened, make=lambda: SettingsDialog(Settings(least_free_mb=500)))),
     Scene("dialog-settings-own", partial(_opened, make=_shortened)),
     Scene("dialog-densities", partial(_opened, make=_densities_dialog)),

@@ -349,6 +349,33 @@
     </message>
 </context>
 <context>
+    <name>LossDialog</name>
+    <message>
+        <source>Close and lose them</source>
+        <translation>Cerrar y perderlas</translation>
+    </message>
+    <message>
+        <source>Leave it open</source>
+        <translation>Dejarlo abierto</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close, though the disk is full?</source>
+        <translation>¿Cerrar, aunque el disco esté lleno?</translation>
+    </message>
+    <message>
+        <source>Fruit that wait for the disk: {count}</source>
+        <translation>Frutas que esperan al disco: {count}</translation>
+    </message>
+    <message>
+        <source>They were not shown as counted, and are lost when the window closes. Make room on the disk: a few seconds later they are kept.</source>
+        <translation>No se mostraron como contadas, y se pierden al cerrar la ventana. Libere espacio en el disco: a los pocos segundos quedan guardadas.</translation>
+    </message>
+</context>
+<context>
     <name>ManualView</name>
     <message>
         <source>Manual</source>

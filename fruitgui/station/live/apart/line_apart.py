@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import queue
 import threading
 import time
@@ -115,13 +116,14 @@ class LineApart:
         self._processes.give_back()
         return done
 
-    def keep_rest(self) -> None:
-        """Keep what still waited for the disk when the line was stopped. Any number of times.
+    def keep_rest(self, timeout_s: float = math.inf) -> None:
+        """Keep what still waited for the disk when the line was stopped, as far as there is time. Any number of times.
 
         Raises:
             WorldError: the store cannot take it; it waits on.
         """
-        while self._counting.retry():
+        until_s = time.monotonic() + timeout_s
+        while self._counting.retry() and time.monotonic() < until_s:
             pass
         left = self._counting.sink_state
         if left.waiting and left.problem is not None:
