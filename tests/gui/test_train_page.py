@@ -10,11 +10,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton
 from pytestqt.qtbot import QtBot
 
+from fruitgui.errors import WorldError
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.session import Session
 from fruitgui.gui.shots.school import enrolled, name_all
 from fruitgui.gui.steps.train.page import TrainPage
 from fruitgui.gui.theme.theme import Theme
+from fruitgui.station.candidate import read_candidate
 from fruitgui.station.workflow import State, Step
 from fruitgui.station.workspace import MODELS
 from tests.schools import FRUIT, nameless_school
@@ -142,7 +144,29 @@ def test_a_model_that_was_not_accepted_is_offered_again_after_closing(
     assert taught.station.model == "models/model-0001.fruit"
     assert taught.workspace.model(taught.station).value is not None
     assert taught.states()[Step.TRAIN].state is State.DONE
+    qtbot.waitUntil(lambda: not taught.saving)
     assert [path.name for path in (taught.workspace.folder / MODELS).iterdir()] == ["model-0001.fruit"]
+
+
+def test_a_model_that_was_accepted_waits_on_where_the_station_could_not_be_written(
+    qtbot: QtBot, taught: Session, page: TrainPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(_station: object) -> None:
+        raise WorldError("disk_full", "The disk is full.", "Make room.")
+
+    _train(qtbot, page)
+    with monkeypatch.context() as disk:
+        disk.setattr(taught.workspace.station, "save", full)
+        _accept(qtbot, page)
+        qtbot.waitUntil(lambda: not taught.saving)
+    assert taught.station is not None
+    assert taught.station.model is None
+    page.entered()
+    qtbot.waitUntil(lambda: page.trainer.waiting is not None)
+    _accept(qtbot, page)
+    qtbot.waitUntil(lambda: not taught.saving)
+    assert taught.station.model is not None
+    assert read_candidate(taught.workspace.folder / MODELS) is None
 
 
 def test_a_waiting_model_that_cannot_be_read_is_not_offered(qtbot: QtBot, taught: Session, theme: Theme) -> None:

@@ -71,3 +71,13 @@ def test_the_core_is_spoken_of_in_spanish(qapp: object) -> None:
 @pytest.mark.parametrize(("span", "step"), [(100.0, 20.0), (9.0, 2.0), (0.4, 0.1), (260.0, 100.0), (50.0, 10.0)])
 def test_axes_have_round_numbers(span: float, step: float) -> None:
     assert round_step(span) == pytest.approx(step)
+
+
+def test_many_kinds_of_few_fruit_leave_the_matrix_its_room() -> None:
+    said = _warnings([TaughtKind(f"kind {number}", 1, 20) for number in range(12)])
+    assert len(said) == 24
+    words = report.warnings(said)
+    assert len(words) == report.MOST_WARNINGS
+    assert words[:5] == [in_words(one) for one in said[:5]]
+    assert words[-1].startswith("And 19 more")
+    assert report.warnings(said[: report.MOST_WARNINGS]) == [in_words(one) for one in said[: report.MOST_WARNINGS]]

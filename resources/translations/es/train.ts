@@ -190,6 +190,10 @@
         <translation>Más fruta igual apenas ayudaría; mire los errores o muestre fruta de aspecto distinto.</translation>
     </message>
     <message>
+        <source>And {count} more such words: the step before shows how far each kind is.</source>
+        <translation>Y {count} avisos más de este tipo: el paso anterior muestra cuánto falta de cada clase.</translation>
+    </message>
+    <message>
         <source>No reference fruit: volumes stay uncorrected. Type the measured volume of some fruit of each kind on the screen “Teach”.</source>
         <translation>Sin fruta de referencia: los volúmenes quedan sin corregir. Escriba el volumen medido de algunas frutas de cada tipo en la pantalla «Enseñar».</translation>
     </message>

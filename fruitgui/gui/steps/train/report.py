@@ -14,12 +14,15 @@ from fruitgui.classification.comparing import Verdict
 from fruitgui.classification.confusion import Confusion
 from fruitgui.classification.intervals import Rate
 from fruitgui.classification.model import KindModel
-from fruitgui.gui.numbers import number_text, percent_text
+from fruitgui.gui.numbers import count_text, number_text, percent_text
 from fruitgui.gui.steps.train.core_words import in_words
 from fruitgui.measurement.checking import Check
 from fruitgui.records.training import Rivals, Trained
 
 translate = QCoreApplication.translate
+
+MOST_WARNINGS = 6
+"""So many lines stand below the kinds at most; many kinds of few fruit have two each."""
 
 WORTH_IT = 0.02
 """A larger share of right ones that is worth more fruit."""
@@ -131,9 +134,14 @@ def curve_text(curve: Sequence[CurvePoint]) -> str:
                      "look different.")  # fmt: skip
 
 
-def warnings(trained: Trained) -> list[str]:
-    """Return what a person should know, in plain words."""
-    return [in_words(text) for text in trained.outcome.warnings]
+def warnings(said: Sequence[str]) -> list[str]:
+    """Return what a person should know, in plain words, no more than leaves the kinds their room."""
+    words = [in_words(text) for text in said]
+    if len(words) <= MOST_WARNINGS:
+        return words
+    more = len(words) - MOST_WARNINGS + 1
+    rest = translate("Train", "And {count} more such words: the step before shows how far each kind is.")
+    return [*words[: MOST_WARNINGS - 1], rest.format(count=count_text(more))]
 
 
 @dataclass(frozen=True, slots=True)

@@ -65,7 +65,7 @@ class ResultPanel(QWidget):
         self.mistakes.show_trained(trained, marks)
         self.curve.show_curve(training.curve)
         self.curve_words.setText(report.curve_text(training.curve))
-        self.warnings.setText("\n".join(report.warnings(trained)))
+        self.warnings.setText("\n".join(report.warnings(trained.outcome.warnings)))
         self.warnings.setVisible(bool(trained.outcome.warnings))
         self._show_volume(trained)
         self._say_tabs()

@@ -84,7 +84,7 @@ class Trainer(QObject):
     def load(self) -> None:
         """Read which models there are, and whether one waits to be accepted."""
         self.queries.ask("versions", self._session.store.models.versions, self._list)
-        if self.trained is None and not self.busy:
+        if self.trained is None and not self.busy and not self._session.saving:
             self.queries.ask("candidate", partial(read_candidate, self._folder), self._found)
 
     @property
@@ -167,6 +167,7 @@ class Trainer(QObject):
     def _accepted(self, taken: Taken) -> None:
         self.trained = self.waiting = None
         self._use(taken)
+        self._session.when_saved(self._forget_accepted)
         later, before = self._session.running.running, bool(self.versions)
 
         def told() -> Told:
@@ -178,6 +179,11 @@ class Trainer(QObject):
 
         said = Message(Level.INFO, told, self.roll_back) if before else Message(Level.GOOD, told)
         self._say_once_saved(said)
+
+    def _forget_accepted(self) -> None:
+        """Let the model wait no more, now that the station names it: a crash before this would have lost it."""
+        forget_candidate(self._folder)
+        self.load()
 
     def _went_back(self, taken: Taken) -> None:
         self._use(taken)
@@ -238,7 +244,6 @@ def taking(session: Session, candidate: Candidate, station: Station) -> Job[Take
         _know(models, station.model)
         file = workspace.add_model(candidate.model)
         models.use(models.add(file.name, candidate.facts.trained_on, candidate.facts.held_out))
-        forget_candidate(workspace.folder / MODELS)
         kinds = tuple(candidate.model.kinds.kinds)
         mark = ModelMark(calibration=calibration_fingerprint(station), taught=candidate.facts.taught, kinds=kinds)
         return Taken(file.name, mark)
