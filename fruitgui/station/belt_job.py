@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
 
+from fruitgui.errors import WorldError
 from fruitgui.perception.view import Observation
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress, stop_if
 from fruitgui.sensors.feed import ByCapture, DropOldest, Feed
 from fruitgui.station.lineup import line_up
 from fruitgui.station.prelude import belt_of_one_sensor
 from fruitgui.station.station import Station
+from fruitgui.station.stills import LONGEST_SILENCE_S
 from fruitgui.tracking.belt import BeltMotion
 
 LONGEST_S = 30.0
@@ -37,13 +40,15 @@ def measure_belt(
 
     Raises:
         InputError: the station has none of the sensors.
+        WorldError: none of the sensors gave anything for too long; says which they are.
         CancelledByUserError: `cancelled` said so.
     """
     lineup = line_up(station, feed.infos.values())
     perceivers = {sensor: eye.perceiver() for sensor, eye in lineup.eyes.items()}
     order = ByCapture(lineup.offsets_s)
     queue = feed.subscribe(DropOldest(2), order)
-    until_s, tried_s = time.monotonic() + longest_s, 0.0
+    heard_s = time.monotonic()
+    until_s, tried_s = heard_s + longest_s, 0.0
     seen: list[Observation] = []
     before: BeltMotion | None = None
     try:
@@ -51,7 +56,9 @@ def measure_belt(
             stop_if(cancelled)
             arrival = queue.take(TAKE_S)
             if arrival is None or arrival.frame.sensor not in perceivers:
+                _check_heard(heard_s, perceivers)
                 continue
+            heard_s = time.monotonic()
             perceiver, frame = perceivers[arrival.frame.sensor], lineup.corrected(arrival.frame)
             seen.append(perceiver.observe(replace(frame, sensor=perceiver.sensor), order.time_s(arrival)))
             seen = [one for one in seen if one.time_s > seen[-1].time_s - LOOK_BACK_S]
@@ -65,6 +72,18 @@ def measure_belt(
     finally:
         queue.close()
     return before
+
+
+def _check_heard(heard_s: float, sensors: Iterable[str]) -> None:
+    """Raise `WorldError` if nothing was heard for too long: that no fruit passed cannot be said then."""
+    if time.monotonic() - heard_s > LONGEST_SILENCE_S:
+        names = ", ".join(sensors)
+        raise WorldError(
+            "sensor_silent",
+            f"{names} gave nothing for {LONGEST_SILENCE_S:.0f} s.",
+            "Check cable and power, and try again.",
+            values={"sensor": names},
+        )
 
 
 def _agree(motion: BeltMotion, before: BeltMotion) -> bool:

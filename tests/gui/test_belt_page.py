@@ -21,6 +21,7 @@ from fruitgui.gui.steps.belt.tool_row import ABOVE
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.simulation.scenes import line_scene
 from fruitgui.simulation.simulation import Simulation
+from fruitgui.station import belt_job
 from fruitgui.station.belt_setting import motion_of, onto_plan, with_region
 from fruitgui.station.station import Station, StationSensor
 from fruitgui.station.workflow import State, Step
@@ -240,3 +241,17 @@ def test_everything_that_is_pressed_is_large_enough_for_a_glove(running: BeltPag
     shown = [one for one in running.findChildren(QAbstractButton) if one.isVisible()]
     assert [one.accessibleName() for one in shown if min(one.height(), one.width()) < 40] == []
     assert all(one.accessibleName() or one.text() for one in shown)
+
+
+def test_sensors_that_fall_silent_are_named_and_not_taken_for_an_empty_belt(
+    qtbot: QtBot, rigged: Session, running: BeltPage, rig: FrozenSource, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(belt_job, "LONGEST_SILENCE_S", 0.5)
+    rig.sensors[0].silent.set()
+    try:
+        running.side.measure.emit()
+        qtbot.waitUntil(lambda: running.motion.busy)
+        qtbot.waitUntil(lambda: not running.motion.busy, timeout=LONG_MS)
+    finally:
+        rig.sensors[0].silent.clear()
+    assert rigged.messages.history[-1].what == "kinect_1 gives no pictures."

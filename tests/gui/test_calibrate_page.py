@@ -85,6 +85,20 @@ def test_while_a_sensor_gives_no_pictures_the_way_to_it_is_offered(
     assert "Connect" in page.hint
 
 
+def test_a_sensor_that_failed_after_its_first_pictures_is_no_sensor_to_calibrate(
+    qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource
+) -> None:
+    _connect(qtbot, rigged, rig)
+    qtbot.waitUntil(page.calibrate_action.isEnabled, timeout=LONG_MS)
+    rig.sensors[1].broken.set()
+    try:
+        qtbot.waitUntil(lambda: not page.calibrate_action.isEnabled(), timeout=LONG_MS)
+        assert page.way_to(Step.CONNECT) in page.other_actions
+    finally:
+        rig.sensors[1].broken.clear()
+    qtbot.waitUntil(page.calibrate_action.isEnabled, timeout=LONG_MS)
+
+
 def test_the_meter_tells_what_the_sensors_have_in_common(
     qtbot: QtBot, rigged: Session, page: CalibratePage, rig: FrozenSource
 ) -> None:

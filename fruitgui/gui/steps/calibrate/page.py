@@ -26,6 +26,7 @@ from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.told import Told
 from fruitgui.gui.widgets.cards import EmptyPlace
+from fruitgui.sensors.feed import Feed, Running
 from fruitgui.station.fused_cloud import SensorCloud
 from fruitgui.station.workflow import State, Step
 
@@ -204,7 +205,13 @@ class CalibratePage(StepPage):
         feed, connection = self._session.connected.feed, self._session.connection
         if feed is None or connection is None or self._session.running.running:
             return False
-        return all(one.name in feed.infos and feed.newest(one.name) is not None for one in connection.sensors)
+        return all(self._gives_pictures(feed, one.name) for one in connection.sensors)
+
+    def _gives_pictures(self, feed: Feed, sensor: str) -> bool:
+        """Tell whether a sensor gave pictures, and is not known to give none any more."""
+        health = self._session.connected.health.get(sensor)
+        over = health is not None and health.state in (Running.FAILED, Running.ENDED)
+        return sensor in feed.infos and feed.newest(sensor) is not None and not over
 
     # what is done
 
