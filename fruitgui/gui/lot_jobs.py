@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication
 
+from fruitgui.errors import WorldError
 from fruitgui.gui.going_on import GoingOn
 from fruitgui.gui.numbers import count_text
 from fruitgui.gui.tasks import Job
@@ -15,6 +17,7 @@ from fruitgui.records.lot import Lot
 from fruitgui.records.store import Store
 from fruitgui.station.live import LineApart
 
+log = logging.getLogger(__name__)
 translate = QCoreApplication.translate
 
 STARTS, IN_VIEW = "starts", "in view"
@@ -61,6 +64,16 @@ def leaving(store: Store, line: LineApart, lot: Lot, owed: GoingOn) -> Job[Lot]:
         return store.lots.pause(lot.key)
 
     return job
+
+
+def kept_rest(line: LineApart, timeout_s: float) -> bool:
+    """Keep what a line that is over still holds, as far as there is time; tell whether that was all."""
+    try:
+        line.keep_rest(timeout_s)
+    except WorldError as error:
+        log.warning("%d fruit that waited for the disk were let go: %s", line.state.sink.waiting, error.what)
+        return False
+    return not line.state.sink.waiting
 
 
 def _with_count(store: Store, ended: Lot) -> EndedLot:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import time
 from collections.abc import Callable
 from functools import partial
@@ -21,13 +20,14 @@ from fruitgui.gui.lot_jobs import (
     ended_told,
     ending,
     ending_left_open,
+    kept_rest,
     leaving,
     sensors_changed_told,
 )
 from fruitgui.gui.lot_notes import LotNotes
 from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.queries import Queries
-from fruitgui.gui.steps.live.tally import Tally
+from fruitgui.gui.reckoning import Reckoning
 from fruitgui.gui.tasks import Job, TaskRunner
 from fruitgui.gui.told import Words
 from fruitgui.progress import Cancelled, Progress
@@ -36,11 +36,9 @@ from fruitgui.records.restore import refuse_while_prepared
 from fruitgui.records.set_aside import SetAside
 from fruitgui.records.store import Store
 from fruitgui.station.live import LineApart, LiveState, Preview
-from fruitgui.station.noted import NotedSink
 
 T = TypeVar("T")
 
-log = logging.getLogger(__name__)
 translate = QCoreApplication.translate
 
 TICK_MS = 100
@@ -71,7 +69,6 @@ class Running(QObject):
         self._tasks = tasks
         self._messages = messages
         self._line: LineApart | None = None
-        self._sink: NotedSink | None = None
         self._aside: SetAside | None = None
         self._state: LiveState | None = None
         self._spells = Queries(self)
@@ -82,7 +79,7 @@ class Running(QObject):
         self._made: Begun | None = None
         self.lot: Lot | None = None
         self.kinds: tuple[str, ...] = ()
-        self.tally = Tally()
+        self._reckon(Reckoning(store.lots, self._spells))
         self.moved = False
         self._tick = QTimer(self, interval=TICK_MS)
         self._tick.timeout.connect(self._look)
@@ -145,8 +142,13 @@ class Running(QObject):
             self._messages.error(error)
             self.lot = self._store.lots.open_lot()
         if self.lot is not None:
-            self.tally = Tally.of(self._store.lots.totals(self.lot.key))
+            self._reckon(Reckoning(self._store.lots, self._spells, self._store.lots.totals(self.lot.key)))
         self.changed.emit()
+
+    def corrected(self, lot: int | None) -> None:
+        """Count again what the records hold, where it was fruit of this lot that a person corrected."""
+        if self.lot is not None and self.lot.key == lot:
+            self._reckoning.read_again(lot, self.changed.emit)
 
     def pause(self) -> None:
         """Let fruit pass uncounted."""
@@ -188,7 +190,7 @@ class Running(QObject):
         line, self._line = self._line or (None if self._made is None else self._made.line), None
         self._tick.stop()
         self._note(None)
-        done = line is None or (line.stop(CLOSE_S) and _kept_rest(line))
+        done = line is None or (line.stop(CLOSE_S) and kept_rest(line, CLOSE_S))
         return self._spells.finish() and done
 
     def _begin(self, plan: LinePlan, lot: Callable[[], Lot]) -> None:
@@ -217,9 +219,9 @@ class Running(QObject):
         self._made = None
         self._connected.adopt(made.feed)
         self._line, self.lot, self.kinds = made.line, made.lot, made.kinds
-        self._sink, self._aside = made.sink, made.aside
+        self._aside = made.aside
         self._notes = LotNotes(self._spells, self._store.spells)
-        self.tally = Tally.of(made.totals)
+        self._reckon(Reckoning(self._store.lots, self._spells, made.totals, made.sink))
         self._tick.start()
         self._look()
         self.changed.emit()
@@ -283,10 +285,11 @@ class Running(QObject):
             self._owed.try_again()
         self._take_counted()
 
+    def _reckon(self, reckoning: Reckoning) -> None:
+        self._reckoning, self.tally = reckoning, reckoning.tally
+
     def _take_counted(self) -> None:
-        now_s = time.monotonic()
-        for counted in () if self._sink is None else self._sink.drain():
-            self.tally.count(counted.fruit, now_s)
+        self._reckoning.count_kept()
         self.ticked.emit()
 
     def _watch_rig(self, state: LiveState) -> None:
@@ -310,13 +313,3 @@ class Running(QObject):
         job = leaving(self._store, line, lot, self._owed)
         self._run(lambda: translate("Running", "Stopping the line"), job, self._left)
         self._messages.say(Message(Level.BAD, sensors_changed_told, stays=True))
-
-
-def _kept_rest(line: LineApart) -> bool:
-    """Keep what a line that is over still holds, as far as there is time; tell whether that was all."""
-    try:
-        line.keep_rest(CLOSE_S)
-    except WorldError as error:
-        log.warning("%d fruit that waited for the disk were let go: %s", line.state.sink.waiting, error.what)
-        return False
-    return not line.state.sink.waiting

@@ -11,6 +11,7 @@ from sqlalchemy.dialects.sqlite import insert
 from sqlalchemy.orm import Session
 
 from fruitgui.errors import InputError
+from fruitgui.records.counting import next_number
 from fruitgui.records.database import Database
 from fruitgui.records.lot import ASKED, NOT_RUNNING, Lot, LotPlan, lot_of, lot_row
 from fruitgui.records.lot_search import LotPage, LotQuery, find
@@ -68,6 +69,11 @@ class Lots:
         """Return a lot's sums, the most frequent kind first."""
         with self._database.reading() as session:
             return totals(session, [lot])[lot]
+
+    def summed(self, lot: int) -> tuple[tuple[KindTotal, ...], int]:
+        """Return a lot's sums, and the number of the newest fruit that is in them; 0 where there is none."""
+        with self._database.reading() as session:
+            return totals(session, [lot])[lot], next_number(session, lot) - 1
 
     def open_lot(self) -> Lot | None:
         """Return the lot that was not ended: it runs, or a crash left it open. None where all are ended."""

@@ -96,12 +96,20 @@ class Tally:
     def count(self, fruit: Fruit, now_s: float) -> None:
         """Add a fruit that is counted at `now_s`, by the host's monotonic clock."""
         volume_ml = fruit.volume_m3.value * ML_PER_M3
-        self.sums.setdefault(fruit.kind, KindSum()).add(fruit)
+        self.add(fruit)
         if isfinite(volume_ml):
             self._volumes.setdefault(fruit.kind, Counter())[int(volume_ml // STEP_ML)] += 1
         self._forget(now_s)
         self._counted.append((now_s, fruit.kind))
         self._began_s = now_s if self._began_s is None else self._began_s
+
+    def add(self, fruit: Fruit) -> None:
+        """Add a fruit to the sums alone."""
+        self.sums.setdefault(fruit.kind, KindSum()).add(fruit)
+
+    def take(self, totals: Iterable[KindTotal]) -> None:
+        """Take the sums that the records hold; how fast fruit come, and their volumes, stay as the machine saw them."""
+        self.sums = {one.kind: _sum_of(one) for one in totals}
 
     def per_minute(self, now_s: float) -> Mapping[str, float]:
         """Return how many fruit of each kind come in a minute, over the last two."""

@@ -247,6 +247,7 @@ class LotsPage(StepPage):
             self.lot.fruit.table.model.refresh()
 
     def _corrected(self, word: Word) -> None:
+        self._session.running.corrected(word.lot)
         self.lots.model.refresh()
         self._read_lot()
         undo = partial(self.desk.undo, word.lot) if self.desk.can_undo(word.lot) else None
