@@ -5,8 +5,8 @@ from __future__ import annotations
 import threading
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from fruitgui.errors import WorldError
@@ -15,7 +15,11 @@ from fruitgui.gui.session import Session
 from fruitgui.gui.steps.live.end_dialog import EndDialog
 from fruitgui.gui.steps.live.lot_dialog import LotDialog
 from fruitgui.gui.steps.live.page import LivePage
+from fruitgui.gui.steps.lots.hand import Deed, Word
+from fruitgui.gui.steps.lots.page import LotsPage
 from fruitgui.gui.theme.theme import Theme
+from fruitgui.gui.translate import Language
+from fruitgui.records.fruit_search import FruitQuery
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.restore import READY
@@ -111,6 +115,39 @@ def test_a_lot_counts_what_crossed_and_is_kept(qtbot: QtBot, session: Session, r
     (lot,) = session.store.lots.find(LotQuery()).lots
     assert (lot.lot.name, lot.fruit, lot.lot.ended_s is not None) == ("1184", FRUIT, True)
     assert session.states()[Step.LOTS].state is State.DONE
+
+
+def test_captions_are_in_another_language_at_once(qtbot: QtBot, qapp: QApplication, ready: LivePage) -> None:
+    pictures = ready.body.pictures.pictures.values()
+    qtbot.waitUntil(lambda: {one.accessibleDescription() for one in pictures} == {"the last picture of the recording"})
+    ready._draw.stop()
+    language = Language()
+    language.put_on(qapp, "es")
+    try:
+        QCoreApplication.processEvents()
+        assert {one.accessibleDescription() for one in pictures} == {"la última imagen de la grabación"}
+    finally:
+        language.put_on(qapp, "en")
+
+
+def test_the_counts_follow_what_a_person_corrects(
+    qtbot: QtBot, session: Session, ready: LivePage, theme: Theme
+) -> None:
+    _start(qtbot, session, ready)
+    _run_to_the_end(qtbot, session)
+    qtbot.waitUntil(lambda: session.running.tally.count_all == FRUIT)
+    lots = LotsPage(session, theme)
+    qtbot.addWidget(lots)
+    lots.show()
+    lots.entered()
+    assert session.running.lot is not None
+    (fruit, *_) = session.store.fruit.find(FruitQuery(session.running.lot.key)).fruit
+    lots.desk.say(Word(Deed.LEAVE_OUT, (fruit.key,), lot=fruit.lot), (fruit,))
+    qtbot.waitUntil(lambda: session.running.tally.count_all == FRUIT - 1)
+    qtbot.waitUntil(lambda: ready.body.counts.accessibleDescription() == f"Unknown: {FRUIT - 1}")
+    lots.left()
+    qtbot.waitUntil(lambda: not lots.desk.queries.busy)
+    _end(qtbot, session, ready)
 
 
 def test_a_paused_lot_lets_fruit_pass_uncounted(qtbot: QtBot, session: Session, ready: LivePage) -> None:

@@ -19,8 +19,8 @@ from tests.gui.reach import cut_off, focus_unseen, out_of_keyboard, rows_too_sma
 SCENES = (
     "connect-nothing", "connect-recorded", "connect-record", "connect-checkup-wrong", "connect-projectors-result",
     "live-staged", "live-staged-many", "teach-nothing", "train-nothing", "lots-many", "lots-fruit",
-    "lots-open-corrected", "dialog-new-lot", "dialog-end-lot", "dialog-settings-own", "dialog-densities-many",
-    "trouble-backup", "trouble-none",
+    "lots-open-corrected", "dialog-new-lot", "dialog-end-lot", "dialog-close-full", "dialog-settings-own",
+    "dialog-densities-many", "trouble-backup", "trouble-none",
 )  # fmt: skip
 
 Shown = Callable[[str, str], QWidget]

@@ -126,6 +126,10 @@
         <source>What is drawn over the pictures (F5 to F8)</source>
         <translation>Qué se dibuja sobre las imágenes (F5 a F8)</translation>
     </message>
+    <message>
+        <source>How volumes are spread is shown at step 7: here the counts take the room.</source>
+        <translation>Cómo se reparten los volúmenes se ve en el paso 7: aquí los conteos ocupan el lugar.</translation>
+    </message>
 </context>
 <context>
     <name>LivePage</name>

@@ -17,7 +17,7 @@ from fruitgui.gui.steps.live.standing import StandingBand
 from fruitgui.gui.theme import icons
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.theme.tokens import GRID
-from fruitgui.gui.widgets.cards import Card
+from fruitgui.gui.widgets.cards import Card, label
 from fruitgui.gui.widgets.histogram import HistogramView
 from fruitgui.gui.widgets.sensor_picture import SensorPicture
 from fruitgui.gui.widgets.worded import Worded
@@ -96,6 +96,10 @@ class LiveLayout(Worded, QWidget):
             (belt_card, self.belt), (counts_card, self.counts), (histogram_card, self.histogram),
         ):  # fmt: skip
             card.body.addWidget(widget)
+        self.no_histogram = label("", "small")
+        self.no_histogram.setWordWrap(True)
+        self.no_histogram.setVisible(False)
+        counts_card.body.addWidget(self.no_histogram)
         belt_card.setProperty("role", "picture")
         left, right, whole = QVBoxLayout(), QVBoxLayout(), QHBoxLayout(self)
         for column in (left, right, whole):
@@ -155,7 +159,9 @@ class LiveLayout(Worded, QWidget):
         around = self._counts_card.body.contentsMargins()
         room = self.height() - (0 if self.standing.isHidden() else self.standing.height() + GRID)
         beside = (room - GRID) * COUNTS_SHARE / (COUNTS_SHARE + 1) - around.top() - around.bottom()
-        self._histogram_card.setVisible(beside >= self.counts.far_height)
+        fits = beside >= self.counts.far_height
+        self._histogram_card.setVisible(fits)
+        self.no_histogram.setVisible(not fits)
 
     def _draw(self) -> None:
         self._shown.setIcon(icons.icon("layers", self._theme.colour("text"), size_px=LAYERS_PX))
@@ -164,3 +170,4 @@ class LiveLayout(Worded, QWidget):
         text = self.tr("What is drawn over the pictures (F5 to F8)")
         self._shown.setToolTip(text)
         self._shown.setAccessibleName(text)
+        self.no_histogram.setText(self.tr("How volumes are spread is shown at step 7: here the counts take the room."))

@@ -74,6 +74,7 @@ class LivePage(StepPage):
         if event.type() == QEvent.Type.LanguageChange:
             self._say_words()
             self._follow()
+            self._draw_pictures()
         super().changeEvent(event)
 
     def _make_actions(self) -> None:
@@ -204,6 +205,13 @@ class LivePage(StepPage):
         elif self._running.running:
             self._part = (self._part + 1) % len(self._parts)
             self._parts[self._part]()
+
+    def _draw_pictures(self) -> None:
+        """Draw all pictures at once."""
+        feed = self._session.connected.feed
+        if feed is not None:
+            for sensor in self.body.pictures.pictures:
+                self._draw_picture(feed, sensor)
 
     def _draw_picture(self, feed: Feed, sensor: str) -> bool:
         """Draw a sensor's newest picture, with what the line saw in it where it runs; return whether it is new."""
