@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractButton
+from PySide6.QtWidgets import QAbstractButton, QApplication
 from pytestqt.qtbot import QtBot
 
 from fruitgui.errors import InputError
@@ -119,6 +119,23 @@ def test_sensors_that_are_plugged_in_are_chosen_until_a_person_chooses(qtbot: Qt
     chooser.update_found([])
     chooser.update_found([kinects])
     assert chooser.source is None, "a recording was chosen, and no file yet"
+
+
+def test_the_keyboard_comes_to_the_list_and_then_to_what_is_chosen(
+    qtbot: QtBot, page: ConnectPage, rig: FrozenSource, qapp: QApplication
+) -> None:
+    chooser = page.chooser
+    page.activateWindow()
+    qtbot.waitUntil(page.isActiveWindow)
+    chooser.rows[0].setFocus()
+    qtbot.keyClick(chooser.rows[0], Qt.Key.Key_Tab)
+    first = qapp.focusWidget()
+    assert first is not None
+    assert chooser.form.isAncestorOf(first)
+    qtbot.keyClick(first, Qt.Key.Key_Backtab, Qt.KeyboardModifier.ShiftModifier)
+    assert qapp.focusWidget() in chooser.rows
+    chooser.show_found([rig, replace(rig, name="another")])
+    assert qapp.focusWidget() in chooser.rows, "what is plugged in takes nobody's place"
 
 
 def test_connecting_shows_each_sensor_live_and_is_kept(

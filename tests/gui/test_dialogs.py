@@ -1,11 +1,15 @@
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.settings_dialog import SettingsDialog
+from fruitgui.gui.steps.connect.record_dialog import RecordDialog
+from fruitgui.gui.steps.live.lot_dialog import LotDialog
 from fruitgui.gui.translate import Language
 from fruitgui.station.settings import Settings
 
@@ -23,6 +27,23 @@ def test_settings_are_taken_as_they_stand_in_the_dialog(qtbot: QtBot) -> None:
     with qtbot.waitSignal(dialog.accepted):
         qtbot.mouseClick(box.button(QDialogButtonBox.StandardButton.Save), Qt.MouseButton.LeftButton)
     assert dialog.chosen == Settings(language="es", theme="light", crops_kept_days=0)
+
+
+@pytest.mark.usefixtures("theme")
+@pytest.mark.parametrize("proposed", ["", "1185"])
+@pytest.mark.parametrize("made", [LotDialog, lambda name: RecordDialog(name, 10**9, "recordings")])
+def test_a_name_is_typed_and_return_begins(
+    qtbot: QtBot, qapp: QApplication, made: Callable[[str], LotDialog | RecordDialog], proposed: str
+) -> None:
+    dialog = made(proposed)
+    qtbot.addWidget(dialog)
+    dialog.open()
+    dialog.activateWindow()
+    qtbot.waitUntil(lambda: qapp.focusWidget() is dialog.name)
+    qtbot.keyClicks(qapp.focusWidget(), "1186")
+    assert dialog.name.text() == "1186", "what was proposed gives way"
+    with qtbot.waitSignal(dialog.accepted):
+        qtbot.keyClick(qapp.focusWidget(), Qt.Key.Key_Return)
 
 
 @pytest.mark.usefixtures("theme")

@@ -117,6 +117,7 @@ class SourceChooser(QWidget):
     def show_found(self, found: Sequence[Source]) -> None:
         """List these sources, and a recording; a person's choice stays where it can."""
         self._found = found
+        focused = any(row.hasFocus() for row in self._rows)
         for row in self._rows:
             self._list.removeWidget(row)
             row.hide()
@@ -127,6 +128,8 @@ class SourceChooser(QWidget):
             self._list.addWidget(row)
         wanted = next((row for row in self._rows if row.offer.key == self._picked), self._rows[0])
         wanted.setChecked(True)
+        if focused:  # what was plugged in meanwhile takes nobody's place at the keyboard
+            wanted.setFocus()
         self._title.setText(self.tr("What shall be connected?"))
         self._supported.setText(supported_text(found))
         self._choose()
@@ -183,4 +186,13 @@ class SourceChooser(QWidget):
         chosen = next((row for row in self._rows if row.isChecked()), None)
         if chosen is not None:
             self.form.show_offer(chosen.offer)
+            self._order_keys()
             self.changed.emit()
+
+    def _order_keys(self) -> None:
+        """Let the keyboard come to the list first, and then to what the chosen one asks, as they are read."""
+        before: QWidget = self._rows[-1]
+        for one in self.form.findChildren(QWidget):
+            if one.focusPolicy() & Qt.FocusPolicy.TabFocus:
+                QWidget.setTabOrder(before, one)
+                before = one

@@ -42,6 +42,7 @@ class RecordDialog(QDialog):
         self._buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, parent=self)
         self._start = QPushButton(self.tr("Record"))
         self._start.setProperty("role", "main")
+        self._start.setDefault(True)  # or Return would mean "Cancel" wherever no name is proposed
         self._buttons.addButton(self._start, QDialogButtonBox.ButtonRole.AcceptRole)
         self._has_room = True
         self._lay_out()
@@ -50,6 +51,7 @@ class RecordDialog(QDialog):
         self.name.textChanged.connect(self._check)
         self.setWindowTitle(self.tr("Record the sensors"))
         self.setMinimumWidth(480)
+        self.name.setFocus()
         self.name.selectAll()
         self.show_room(room_bytes, folder)
 

@@ -42,6 +42,7 @@ class LotDialog(QDialog):
         self._buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, parent=self)
         self._start = QPushButton(self.tr("Start"))
         self._start.setProperty("role", "main")
+        self._start.setDefault(True)  # or Return would mean "Cancel" wherever no name is proposed
         self._buttons.addButton(self._start, QDialogButtonBox.ButtonRole.AcceptRole)
         self._lay_out()
         self._buttons.accepted.connect(self.accept)
@@ -49,6 +50,7 @@ class LotDialog(QDialog):
         self.name.textChanged.connect(self._check)
         self.setWindowTitle(self.tr("New lot"))
         self.setMinimumWidth(480)
+        self.name.setFocus()
         self.name.selectAll()
         self._check()
 
