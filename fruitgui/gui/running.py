@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from functools import partial
 from typing import TypeVar
@@ -165,7 +164,7 @@ class Running(QObject):
 
     def resume(self) -> None:
         """Count again, though the disk may be full: fruit wait for it then."""
-        line, lot, since_s = self._line, self.lot, time.time()
+        line, lot, since_s = self._line, self.lot, self._store.now_s()
         if line is None or lot is None or self._busy or self._stopping:
             return
         line.count_into(lot.key)

@@ -21,6 +21,9 @@ AT_ONCE = 500
 
 DAY_S = 86_400.0
 
+LONGEST_REST_DAYS = 400.0
+"""From season to season, and a month. An empty battery or a slip in setting the clock makes it years."""
+
 
 class Crops:
     """The crops of a store."""
@@ -76,9 +79,15 @@ class Crops:
     def age_out(self, days: float, cancelled: Cancelled = never_cancelled) -> int:
         """Remove the crops of counted fruit that are older, and give their room back to the disk; return how many.
 
+        None is, where the newest of them are older than a line rests: then it is the computer's clock that is wrong.
         Counting goes on meanwhile. Stops early, without harm, when cancelled. Zero days or fewer keep all.
         """
         if days <= 0:
+            return 0
+        newest = select(func.max(CropRow.kept_s)).where(CropRow.owner == "fruit")
+        with self._database.reading() as session:
+            newest_s = session.scalar(newest)
+        if newest_s is None or self._now_s() - newest_s > LONGEST_REST_DAYS * DAY_S:
             return 0
         before_s = self._now_s() - days * DAY_S
         gone, more = 0, True

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import math
-import time
 from collections.abc import Iterable
 from datetime import UTC, datetime
 from pathlib import Path
@@ -58,7 +57,7 @@ def write_lot(
         CancelledByUserError: a person stopped it; no file is left.
     """
     of = store.lots.get(lot)
-    unseen_s = _unseen_s(of, time.time() if now_s is None else now_s)
+    unseen_s = _unseen_s(of, store.now_s() if now_s is None else now_s)
     sensors = " ".join(f"{name}={serial}" if serial else name for name, serial in serials_of(store, lot).items())
     found = sum(store.fruit.find(FruitQuery(lot, which=which, count=0)).found for which in ("counted", "left_out"))
     written = 0

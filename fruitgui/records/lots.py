@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import time
-from collections.abc import Callable
 
 from sqlalchemy import func, select
 from sqlalchemy.dialects.sqlite import insert
@@ -16,16 +14,17 @@ from fruitgui.records.database import Database
 from fruitgui.records.lot import ASKED, NOT_RUNNING, Lot, LotPlan, lot_of, lot_row
 from fruitgui.records.lot_search import LotPage, LotQuery, find
 from fruitgui.records.spells import end_spells
+from fruitgui.records.steady_clock import SteadyClock
 from fruitgui.records.tables import FruitRow, LotRow, PauseRow, StationCopyRow
 from fruitgui.records.totals import KindTotal, totals
 
 
 class Lots:
-    """The lots of a store."""
+    """The lots of a store; the clock is set between them, never within one."""
 
-    def __init__(self, database: Database, now_s: Callable[[], float] = time.time) -> None:
+    def __init__(self, database: Database, clock: SteadyClock) -> None:
         self._database = database
-        self._now_s = now_s
+        self._now_s = clock
 
     def start(self, plan: LotPlan) -> Lot:
         """Start a lot.
@@ -41,6 +40,7 @@ class Lots:
                 raise InputError(
                     "lot_open", f"Lot {open_lot.name} is still open.", "End it first.", values={"lot": open_lot.name}
                 )
+            self._now_s.set()
             row = LotRow(
                 name=name, grower=plan.grower.strip(), recipe=plan.recipe, note=plan.note,
                 reference_sensor=plan.reference_sensor, station_sha256=_station_copy(session, plan.station_text),
@@ -116,11 +116,15 @@ class Lots:
             return lot_of(session, row)
 
     def take_up(self, lot: int) -> Lot:
-        """Go on with a lot that a crash left open: the time since its last fruit becomes a pause."""
+        """Go on with a lot that a crash left open: the time since its last fruit becomes a pause.
+
+        Where the computer's clock was set back meanwhile, the lot's goes on from that fruit.
+        """
         with self._database.writing() as session:
             row = _still_open(session, lot)
             pause = _standstill(session, row)
-            pause.to_s = max(self._now_s(), pause.from_s)
+            self._now_s.set(pause.from_s)
+            pause.to_s = self._now_s()
             return lot_of(session, row)
 
     def end_left_open(self, lot: int) -> Lot:
@@ -141,6 +145,7 @@ class Lots:
                 if pause is not None:
                     pause.to_s = row.ended_s
                 end_spells(session, lot, row.ended_s)
+                self._now_s.set()
             return lot_of(session, row)
 
     def station_text(self, lot: int) -> str | None:

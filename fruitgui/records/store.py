@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import TracebackType
@@ -19,6 +18,7 @@ from fruitgui.records.models import Models
 from fruitgui.records.restore import finish_restore
 from fruitgui.records.settings_history import SettingsHistory
 from fruitgui.records.spells import Spells
+from fruitgui.records.steady_clock import SteadyClock
 from fruitgui.records.teaching import Teaching
 from fruitgui.records.told import damaged
 from fruitgui.station.fruit import Fruit
@@ -42,10 +42,12 @@ class Store:
         teaching: taught fruit, and those that wait to be named.
         models: which there are, and which is in use.
         settings: which value each had, and since when.
+        now_s: the time of day by which all of it is dated.
     """
 
-    def __init__(self, folder: Path, now_s: Callable[[], float] = time.time) -> None:
+    def __init__(self, folder: Path, clock_s: Callable[[], float] | None = None) -> None:
         self.folder = folder
+        self.now_s = now_s = SteadyClock() if clock_s is None else SteadyClock(clock_s, clock_s)
         finish_restore(folder)
         _refuse_emptied(folder)
         if version_of(folder / RECORDS.file) is None and (folder / PICTURES.file).exists():
@@ -91,15 +93,15 @@ def _refuse_emptied(folder: Path) -> None:
         raise damaged(records, "it is empty, and the pictures of its fruit are there")
 
 
-def open_store(folder: Path, now_s: Callable[[], float] = time.time) -> Store:
+def open_store(folder: Path, clock_s: Callable[[], float] | None = None) -> Store:
     """Open the store in a folder, made where there is none; older files are brought up to date, copies set aside.
 
     Args:
         folder: the workspace.
-        now_s: tells the time of day, Unix seconds.
+        clock_s: tells the time of day, Unix seconds, evenly; the computer's where none is given.
 
     Raises:
         WorldError: `store_newer`, `store_damaged`, `store_read_only`, `store_locked` or `disk_full`; nothing was
             changed.
     """
-    return Store(folder, now_s)
+    return Store(folder, clock_s)

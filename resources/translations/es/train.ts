@@ -191,7 +191,7 @@
     </message>
     <message>
         <source>And {count} more such words: the step before shows how far each kind is.</source>
-        <translation>Y {count} avisos más de este tipo: el paso anterior muestra cuánto falta de cada clase.</translation>
+        <translation>Y {count} avisos más como estos: el paso anterior muestra cuánto falta de cada tipo.</translation>
     </message>
     <message>
         <source>No reference fruit: volumes stay uncorrected. Type the measured volume of some fruit of each kind on the screen “Teach”.</source>

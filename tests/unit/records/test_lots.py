@@ -1,10 +1,15 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from fruitgui.errors import InputError
 from fruitgui.records.lot import NOT_RUNNING, Lot, LotPlan, Pause
-from fruitgui.records.store import Store
+from fruitgui.records.lots import Lots
+from fruitgui.records.migrating import RECORDS, bring_up_to_date
+from fruitgui.records.steady_clock import SteadyClock
+from fruitgui.records.store import Store, open_store
 from tests.unit.records.conftest import Clock
 from tests.unit.station.fruit_made import made_crops, made_fruit
 
@@ -115,3 +120,59 @@ def test_crops_that_aged_out_give_their_room_back(store: Store, lot: Lot, clock:
     with store._pictures.connected() as connection:
         after = connection.exec_driver_sql("PRAGMA page_count").scalar_one()
     assert after < before / 10
+
+
+def test_a_computer_whose_clock_says_another_year_lets_no_picture_go(store: Store, lot: Lot, clock: Clock) -> None:
+    store.commit(lot.key, made_fruit(1), made_crops(1))
+    (fruit,) = store.fruit.walk(lot.key)
+    clock.now_s += 20 * 365 * 86_400
+    assert store.crops.age_out(90) == 0
+    assert store.crops.of("fruit", fruit.key)
+
+
+class Stepped:
+    """A computer's clock that is set, beside seconds that go on evenly."""
+
+    def __init__(self) -> None:
+        self.even_s, self.set_by_s = 0.0, 1.8e9
+
+    def day(self) -> float:
+        return self.even_s + self.set_by_s
+
+    def even(self) -> float:
+        return self.even_s
+
+
+@pytest.mark.parametrize("leap_s", [-7200.0, 7200.0, -1e9])
+def test_a_clock_that_is_set_while_a_lot_runs_changes_none_of_its_times(tmp_path: Path, leap_s: float) -> None:
+    computer = Stepped()
+    clock = SteadyClock(computer.day, computer.even)
+    database = bring_up_to_date(tmp_path / RECORDS.file, RECORDS)
+    lots = Lots(database, clock)
+    lot = lots.start(LotPlan("1184"))
+    computer.even_s += 600
+    lots.pause(lot.key)
+    computer.set_by_s += leap_s
+    computer.even_s += 60
+    resumed = lots.resume(lot.key)
+    computer.even_s += 600
+    assert resumed.ran_s(clock()) == 1200
+    assert lots.end(lot.key).ran_s(clock()) == 1200
+    assert lots.start(LotPlan("1185")).started_s == computer.day(), "between lots it is taken over"
+    database.close()
+
+
+def test_a_lot_that_is_taken_up_after_the_clock_was_set_back_loses_no_time(tmp_path: Path) -> None:
+    computer = Stepped()
+    with open_store(tmp_path, computer.day) as store:
+        lot = store.lots.start(LotPlan("1184"))
+        computer.even_s += 3600
+        store.commit(lot.key, made_fruit(1), ())
+    computer.set_by_s -= 7200
+    with open_store(tmp_path, computer.day) as store:
+        store.lots.take_up(lot.key)
+        computer.even_s += 1800
+        store.commit(lot.key, made_fruit(2), ())
+        first, second = store.fruit.walk(lot.key)
+        assert second.counted_s == first.counted_s + 1800
+        assert store.lots.end(lot.key).ran_s(store.now_s()) == 5400

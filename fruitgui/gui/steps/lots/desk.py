@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import time
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -86,7 +85,7 @@ class Desk(QObject):
         known = self.known
 
         def read() -> ReadLot:
-            figures = read_figures(self._store, lot, time.time())
+            figures = read_figures(self._store, lot, self._store.now_s())
             there = kinds_in_order(known, (one.kind for one in figures.kinds))
             taught = (known_kind(one.kind, there) for one in self._store.teaching.counts())
             return ReadLot(figures, kinds_in_order(known, [*there, *taught]))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import time
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
@@ -46,7 +45,7 @@ class HandingOn(QObject):
         """Write the report."""
 
         def job(progress: Progress, cancelled: Cancelled) -> None:
-            write_report(self._store, lot.key, path, time.time(), marks, progress, cancelled)
+            write_report(self._store, lot.key, path, self._store.now_s(), marks, progress, cancelled)
 
         self._run(lambda: self.tr("Report on lot {name}").format(name=lot.name), job, path)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from functools import partial
 
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
@@ -210,7 +209,7 @@ class LotsPage(StepPage):
             self.lots.model.refresh()
 
     def _take_lots(self, page: int, found: LotPage) -> None:
-        now_s = time.time()
+        now_s = self._session.store.now_s()
         self.lots.model.take(page, [lot_entry(line, self._line_lot, now_s) for line in found.lots], found.found)
         if self._chosen is None and found.lots:
             self.choose(found.lots[0].lot.key)
