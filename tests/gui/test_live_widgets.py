@@ -185,11 +185,14 @@ def test_counts_of_ten_kinds_are_read_from_two_metres_in_the_least_window(qtbot:
     body.show()
     body.show_counts([_line("lemon", 8)] * 6)
     assert body.histogram.isVisible()
-    assert not body.no_histogram.isVisible()
+    body.show_counts([_line("lemon", 8)] * 9)
+    assert not body.histogram.isVisible()
+    assert body.no_histogram.isVisible()
+    assert body.counts.toolTip() == ""
     body.show_counts([_line("lemon", 8)] * 11)
     qtbot.waitUntil(lambda: body.counts.height() >= body.counts.far_height)
     assert not body.histogram.isVisible(), "it gives way"
-    assert body.no_histogram.isVisible(), "and that is said"
+    assert "step 7" in body.counts.toolTip(), "and that is said where it takes no room"
     assert _ink_height(body.counts, 10, 11) >= 29, "as high as the digits of six kinds"
     body.resize(1680, 914)
     qtbot.waitUntil(lambda: body.histogram.isVisible() and body.counts.height() >= body.counts.far_height)

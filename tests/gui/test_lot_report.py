@@ -65,7 +65,8 @@ def test_the_report_says_lot_sums_spread_corrections_and_method(
     for part in (
         "Lot 1184", "Fundo El Peñón", "Export A", "198", "Quince", "Volume, ml", "Diameter, mm", "Mass, g",
         "Of 200 fruit, people corrected 5: they left out 2", "left out", "half the width of a 95 % interval",
-        "what fruit err by together", "Kinds by model model-0003; frame of reference: sensor kinect_1.",
+        "what fruit err by together", "as of the kind that the machine said",
+        "Kinds by model model-0003; frame of reference: sensor kinect_1.",
     ):  # fmt: skip
         assert part in text, part
     assert len([line for line in said if "±" in line and "\u2009l" in line]) >= 5
@@ -111,6 +112,15 @@ def test_a_lot_of_nothing_is_reported_too(store: Store, clock: Clock, tmp_path: 
     write_report(store, lot, tmp_path / "a.pdf", clock.now_s)
     assert _pages(tmp_path / "a.pdf") == 1
     assert "Nobody corrected anything; all figures are the machine's." in said
+
+
+def test_where_fruit_were_left_out_only_measures_are_no_question(
+    store: Store, clock: Clock, tmp_path: Path, said: list[str]
+) -> None:
+    lot = run(store, clock, "1184", "", 5)
+    store.corrections.leave_out([store.fruit.find(FruitQuery(lot)).fruit[0].key])
+    write_report(store, lot, tmp_path / "a.pdf", clock.now_s)
+    assert "as of the kind that the machine said" not in "\n".join(said)
 
 
 def test_many_corrections_go_over_pages_and_are_cut_openly(

@@ -127,6 +127,27 @@ def test_several_are_named_at_once_and_let_wait_again(qtbot: QtBot, taught: Sess
     assert page.empty.isVisible()
 
 
+def test_a_kind_that_was_renamed_is_gone_at_the_next_start(
+    qtbot: QtBot, taught: Session, page: TeachPage, theme: Theme
+) -> None:
+    page.grid.selectAll()
+    keys = page.grid.chosen()
+    page.room.name(keys[:3], "lmeon")
+    page.room.name(keys[3:5], "pear")
+    page._look_at(Shelf(Pile.NAMED, "lmeon"))
+    page.grid.setFocus()
+    qtbot.keyClick(page.grid, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    page.room.name(page.grid.chosen(), "lemon")
+    _rest(qtbot, page)
+    assert page.room.desk.order == ("lmeon", "pear", "lemon"), "undoing may bring it back"
+    qtbot.waitUntil(lambda: not taught.saving)
+    again = TeachPage(taught, theme)
+    qtbot.addWidget(again)
+    qtbot.waitUntil(lambda: bool(again.room.desk.fruit))
+    _rest(qtbot, again)
+    assert again.room.desk.order == ("pear", "lemon")
+
+
 def test_a_click_and_a_press_are_enough(qtbot: QtBot, taught: Session, page: TeachPage) -> None:
     page.room.name(page.grid.chosen(), "lemon")
     place = page.grid.visualRect(page.model.index(2)).center()

@@ -432,6 +432,10 @@
         <translation>Las masas son sumas {of}, de densidad conocida.</translation>
     </message>
     <message>
+        <source>Volume and mass of a fruit that people gave another kind stay as they were measured: as of the kind that the machine said.</source>
+        <translation>El volumen y la masa de una fruta a la que se dio otro tipo quedan como se midieron: como del tipo que dijo la máquina.</translation>
+    </message>
+    <message>
         <source>Sensors, with the serials of the devices: {sensors}.</source>
         <translation>Sensores, con la serie de cada equipo: {sensors}.</translation>
     </message>

@@ -129,6 +129,7 @@ class SourceChooser(QWidget):
         wanted = next((row for row in self._rows if row.offer.key == self._picked), self._rows[0])
         wanted.setChecked(True)
         if focused:  # what was plugged in meanwhile takes nobody's place at the keyboard
+            wanted.show()
             wanted.setFocus()
         self._title.setText(self.tr("What shall be connected?"))
         self._supported.setText(supported_text(found))
@@ -193,6 +194,6 @@ class SourceChooser(QWidget):
         """Let the keyboard come to the list first, and then to what the chosen one asks, as they are read."""
         before: QWidget = self._rows[-1]
         for one in self.form.findChildren(QWidget):
-            if one.focusPolicy() & Qt.FocusPolicy.TabFocus:
+            if one.focusPolicy() & Qt.FocusPolicy.TabFocus and one.window() is self.window():  # lists open in their own
                 QWidget.setTabOrder(before, one)
                 before = one

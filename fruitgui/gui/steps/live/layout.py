@@ -155,13 +155,20 @@ class LiveLayout(Worded, QWidget):
             one.setVisible(not enlarged)
 
     def _share_right(self) -> None:
-        """Let the histogram give way where the counts beside it could not be read from two metres away."""
+        """Let the histogram give way where the counts beside it could not be read from two metres away.
+
+        That is said below the counts where there is room for it, and else where a pointer rests on them.
+        """
         around = self._counts_card.body.contentsMargins()
         room = self.height() - (0 if self.standing.isHidden() else self.standing.height() + GRID)
         beside = (room - GRID) * COUNTS_SHARE / (COUNTS_SHARE + 1) - around.top() - around.bottom()
         fits = beside >= self.counts.far_height
         self._histogram_card.setVisible(fits)
-        self.no_histogram.setVisible(not fits)
+        words = self.no_histogram.heightForWidth(max(self.counts.width(), 1)) + self._counts_card.body.spacing()
+        frame = self._counts_card.height() - self._counts_card.body.geometry().height()
+        alone = room - frame - words >= self.counts.far_height
+        self.no_histogram.setVisible(not fits and alone)
+        self.counts.setToolTip("" if fits or alone else self.no_histogram.text())
 
     def _draw(self) -> None:
         self._shown.setIcon(icons.icon("layers", self._theme.colour("text"), size_px=LAYERS_PX))

@@ -162,6 +162,14 @@ def _write_corrections(sheet: Sheet, report: LotReport, unknown: int, corrected:
             "LotReport", "{count} fruit are of no kind that the machine was taught; they count as unknown."
         )
         sheet.words(text.format(count=count_text(unknown)))
+    if report.corrected > report.left_out:
+        sheet.words(
+            translate(
+                "LotReport",
+                "Volume and mass of a fruit that people gave another kind stay as they were measured: as of the kind "
+                "that the machine said.",
+            )
+        )
     _list_corrected(sheet, report, corrected)
     sheet.skip(12)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TypeVar
@@ -30,6 +30,7 @@ from fruitgui.records.correcting import checked_kind
 from fruitgui.records.insight import Insight
 from fruitgui.records.journal import Step
 from fruitgui.records.labels_file import LabelsRead
+from fruitgui.records.teaching import Brief
 from fruitgui.station.workflow import TaughtFacts
 
 log = logging.getLogger(__name__)
@@ -182,9 +183,14 @@ class Classroom(QObject):
             self.load()  # something was changed meanwhile: what was read is older than what is seen
             return
         fruit, facts = loaded
-        self.desk.lay_out(fruit, self.desk.order or self._session.marks.kinds)
+        self.desk.lay_out(fruit, self.desk.order or self._kinds_of(fruit))
         self._session.note_taught(facts)
         self.changed.emit()
+
+    def _kinds_of(self, fruit: Iterable[Brief]) -> tuple[str, ...]:
+        """Return the kinds in the order of their keys, without those that no fruit has any more."""
+        named = {one.kind for one in fruit}
+        return tuple(kind for kind in self._session.marks.kinds if kind in named)
 
     def _take_steps(self, steps: tuple[Step | None, Step | None]) -> None:
         self.can_undo, self.can_redo = steps[0] is not None, steps[1] is not None
