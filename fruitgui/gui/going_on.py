@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable
 
@@ -26,6 +27,7 @@ class GoingOn:
         self._lots = lots
         self._queries = queries
         self._clock_s = clock_s
+        self._keeping = threading.Lock()
         self._owed: tuple[int, float] | None = None
         self._again_s = 0.0
 
@@ -39,9 +41,10 @@ class GoingOn:
         Raises:
             WorldError: the records cannot take it.
         """
-        if self._owed is not None:
-            self._lots.resume(*self._owed)
-            self._owed = None
+        with self._keeping:  # twice, the second time would end a pause that began meanwhile
+            if self._owed is not None:
+                self._lots.resume(*self._owed)
+                self._owed = None
 
     def try_again(self) -> None:
         """Try to keep it, now and then."""
