@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QElapsedTimer, Qt, QTimer
-from PySide6.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QLineEdit
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QFileDialog, QLineEdit, QWidget
 from pytestqt.qtbot import QtBot
 
 from fruitgui.gui.session import Session
@@ -19,6 +19,7 @@ from fruitgui.gui.steps.lots.fruit_panel import FruitPanel
 from fruitgui.gui.steps.lots.fruit_rows import COLUMNS, Column, Show
 from fruitgui.gui.steps.lots.fruit_table import WIDEST_KIND
 from fruitgui.gui.steps.lots.hand import Deed
+from fruitgui.gui.steps.lots.hand_bar import HandBar
 from fruitgui.gui.steps.lots.lot_entry import LotState, Period
 from fruitgui.gui.steps.lots.lot_list import ENTRY
 from fruitgui.gui.steps.lots.page import LIST_WIDTH, WIDEST_LIST, LotsPage
@@ -261,17 +262,19 @@ def test_a_lot_that_is_looked_at_is_the_one_in_which_a_correction_is_taken_back(
     qtbot.waitUntil(lambda: _counts(page)["lemon"] == MANY // 4)
 
 
-def test_a_kind_that_is_typed_is_the_one_that_people_would_read_it_as(qtbot: QtBot, page: LotsPage) -> None:
-    _at_fruit(qtbot, page)
-    panel = page.lot.fruit
-    panel.table.view.selectRow(0)
-    before = _counts(page)
-    panel.hand._menu.actions()[-1].trigger()
-    qtbot.waitUntil(panel.hand._dialog.isVisible)
-    panel.hand._dialog.setTextValue("RED_apple")
-    panel.hand._dialog.accept()
-    qtbot.waitUntil(lambda: _counts(page) != before)
-    assert _counts(page) == {**before, "lemon": before["lemon"] - 1, "red apple": before["red apple"] + 1}
+def test_a_kind_that_is_typed_is_the_one_that_people_would_read_it_as(qtbot: QtBot, theme: Theme) -> None:
+    within = QWidget()
+    qtbot.addWidget(within)
+    bar = HandBar(theme, within)
+    bar.setParent(within)
+    bar.show_kinds(("lemon", "red apple"), {})
+    said: list[tuple[object, ...]] = []
+    bar.said.connect(lambda *words: said.append(words))
+    bar._menu.actions()[-1].trigger()
+    for typed in ("RED_apple", " Lima  dulce"):
+        bar._typed(typed)
+    bar._dialog.reject()
+    assert said == [(Deed.NAME, "red apple", ""), (Deed.NAME, "Lima dulce", "")]
 
 
 def test_a_fruit_that_was_missed_is_added_and_taken_back(
