@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication
 
 from fruitgui.errors import WorldError
+from fruitgui.gui.beginning import Begun
 from fruitgui.gui.going_on import GoingOn
 from fruitgui.gui.numbers import count_text
 from fruitgui.gui.tasks import Job
@@ -30,6 +32,18 @@ class EndedLot:
 
     lot: Lot
     fruit: int
+
+
+def starting(begin: Callable[[Cancelled], Begun], take: Callable[[Begun], None]) -> Job[Begun]:
+    """Return the job that begins a lot and hands over what it made at once: the window may close before it is told."""
+
+    def job(progress: Progress, cancelled: Cancelled) -> Begun:
+        progress(0.0, STARTS)
+        made = begin(cancelled)
+        take(made)
+        return made
+
+    return job
 
 
 def ending(store: Store, line: LineApart, lot: Lot, owed: GoingOn) -> Job[EndedLot]:
@@ -62,6 +76,25 @@ def leaving(store: Store, line: LineApart, lot: Lot, owed: GoingOn) -> Job[Lot]:
         line.keep_rest()
         owed.keep()
         return store.lots.pause(lot.key)
+
+    return job
+
+
+def pausing(store: Store, lot: Lot, owed: GoingOn) -> Job[Lot]:
+    """Return the job that keeps that a lot is paused."""
+
+    def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - one row of a table
+        owed.keep()
+        return store.lots.pause(lot.key)
+
+    return job
+
+
+def resuming(store: Store, lot: Lot, since_s: float) -> Job[Lot]:
+    """Return the job that keeps that a lot goes on, since a time of the store's."""
+
+    def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - one row of a table
+        return store.lots.resume(lot.key, since_s)
 
     return job
 

@@ -9,27 +9,16 @@ from typing import TypeVar
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from fruitgui.errors import FruitguiError, InputError, WorldError
+from fruitgui.gui import lot_jobs
 from fruitgui.gui.beginning import Begun, LinePlan, begun, source_name
 from fruitgui.gui.connected import Connected
 from fruitgui.gui.going_on import GoingOn
-from fruitgui.gui.lot_jobs import (
-    STARTS,
-    EndedLot,
-    doing,
-    ended_told,
-    ending,
-    ending_left_open,
-    kept_rest,
-    leaving,
-    sensors_changed_told,
-)
 from fruitgui.gui.lot_notes import LotNotes
 from fruitgui.gui.messages import Level, Message, Messages
 from fruitgui.gui.queries import Queries
 from fruitgui.gui.reckoning import Reckoning
 from fruitgui.gui.tasks import Job, TaskRunner
 from fruitgui.gui.told import Words
-from fruitgui.progress import Cancelled, Progress
 from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.restore import refuse_while_prepared
 from fruitgui.records.set_aside import SetAside
@@ -117,8 +106,7 @@ class Running(QObject):
     @property
     def unkept(self) -> int:
         """How many fruit wait in memory because the disk takes nothing; the program's end loses them."""
-        sink = None if self._line is None else self._line.state.sink
-        return 0 if sink is None or sink.problem is None else sink.waiting
+        return 0 if self._line is None else self._line.state.sink.unkept
 
     @property
     def previews(self) -> dict[str, Preview]:
@@ -155,12 +143,7 @@ class Running(QObject):
         if line is None or lot is None or self._busy or self._stopping:
             return
         line.count_into(None)
-
-        def pause() -> Lot:
-            self._owed.keep()
-            return self._store.lots.pause(lot.key)
-
-        self._keep(pause)
+        self._run(_keeping, lot_jobs.pausing(self._store, lot, self._owed), self._kept)
 
     def resume(self) -> None:
         """Count again, though the disk may be full: fruit wait for it then."""
@@ -168,7 +151,8 @@ class Running(QObject):
         if line is None or lot is None or self._busy or self._stopping:
             return
         line.count_into(lot.key)
-        self._keep(lambda: self._store.lots.resume(lot.key, since_s), partial(self._go_on_unkept, since_s))
+        job = lot_jobs.resuming(self._store, lot, since_s)
+        self._run(_keeping, job, self._kept, partial(self._go_on_unkept, since_s))
 
     def end_lot(self) -> None:
         """Stop the line, count what is in view, and end the lot; one that was left open ends as it is.
@@ -179,8 +163,8 @@ class Running(QObject):
         if lot is None or self._busy:
             return
         self._stopping = line is not None
-
-        job = ending_left_open(self._store, lot) if line is None else ending(self._store, line, lot, self._owed)
+        left_open = lot_jobs.ending_left_open(self._store, lot)
+        job = left_open if line is None else lot_jobs.ending(self._store, line, lot, self._owed)
         self._run(lambda: translate("Running", "Ending the lot"), job, self._ended)
 
     def close(self) -> bool:
@@ -189,7 +173,7 @@ class Running(QObject):
         line, self._line = self._line or (None if self._made is None else self._made.line), None
         self._tick.stop()
         self._note(None)
-        done = line is None or (line.stop(CLOSE_S) and kept_rest(line, CLOSE_S))
+        done = line is None or (line.stop(CLOSE_S) and lot_jobs.kept_rest(line, CLOSE_S))
         return self._spells.finish() and done
 
     def _begin(self, plan: LinePlan, lot: Callable[[], Lot]) -> None:
@@ -204,15 +188,13 @@ class Running(QObject):
         if plan.again is not None:
             self._connected.release()
 
-        def job(progress: Progress, cancelled: Cancelled) -> Begun:
-            progress(0.0, STARTS)
-            made = begun(now, plan, self._store, lot, source_name(), cancelled)
-            self._made = made
-            if self._closed:  # nobody will be told of it
-                made.line.stop(0.0)
-            return made
-
+        job = lot_jobs.starting(partial(begun, now, plan, self._store, lot, source_name()), self._take)
         self._run(lambda: translate("Running", "Starting the lot"), job, self._begun)
+
+    def _take(self, made: Begun) -> None:
+        self._made = made
+        if self._closed:  # nobody will be told of it
+            made.line.stop(0.0)
 
     def _begun(self, made: Begun) -> None:
         self._made = None
@@ -225,18 +207,12 @@ class Running(QObject):
         self._look()
         self.changed.emit()
 
-    def _ended(self, ended: EndedLot) -> None:
+    def _ended(self, ended: lot_jobs.EndedLot) -> None:
         (self._look if self._tick.isActive() else self._take_counted)()
         self._line, self.lot, self._stopping = None, None, False
         self._tick.stop()
-        self._messages.good(lambda: ended_told(ended))
+        self._messages.good(lambda: lot_jobs.ended_told(ended))
         self.changed.emit()
-
-    def _keep(self, change: Callable[[], Lot], failed: Callable[[FruitguiError], None] | None = None) -> None:
-        def job(progress: Progress, cancelled: Cancelled) -> Lot:  # noqa: ARG001 - one row of a table
-            return change()
-
-        self._run(lambda: translate("Running", "Keeping the lot"), job, self._kept, failed)
 
     def _go_on_unkept(self, since_s: float, error: FruitguiError) -> None:
         """Count on where the disk cannot take that a pause is over; it is kept with the fruit that wait."""
@@ -258,7 +234,7 @@ class Running(QObject):
         self, name: Words, job: Job[T], done: Callable[[T], None], failed: Callable[[FruitguiError], None] | None = None
     ) -> None:
         self._busy = True
-        task = self._tasks.run(name, job, doing)
+        task = self._tasks.run(name, job, lot_jobs.doing)
         for over in (task.succeeded, task.failed, task.cancelled):
             over.connect(self._rest)
         task.succeeded.connect(done)
@@ -309,6 +285,10 @@ class Running(QObject):
         self._stopping = True
         self._tick.stop()
         self._note(None)
-        job = leaving(self._store, line, lot, self._owed)
+        job = lot_jobs.leaving(self._store, line, lot, self._owed)
         self._run(lambda: translate("Running", "Stopping the line"), job, self._left)
-        self._messages.say(Message(Level.BAD, sensors_changed_told, stays=True))
+        self._messages.say(Message(Level.BAD, lot_jobs.sensors_changed_told, stays=True))
+
+
+def _keeping() -> str:
+    return translate("Running", "Keeping the lot")

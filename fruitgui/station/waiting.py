@@ -41,6 +41,11 @@ class SinkState:
     lost: int = 0
     problem: FruitguiError | None = None
 
+    @property
+    def unkept(self) -> int:
+        """Fruit that wait because the disk takes nothing; the program's end loses them."""
+        return 0 if self.problem is None else self.waiting
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Waiting:
