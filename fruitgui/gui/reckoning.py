@@ -34,7 +34,7 @@ class Reckoning:
         self._sink = sink
         self.tally = Tally.of(totals)
         self._read_to = 0
-        self._meanwhile: list[CountedFruit] = []
+        self._meanwhile: list[CountedFruit] | None = None
 
     def count_kept(self) -> None:
         """Add what was kept since the last time, but for what the records had when they were read."""
@@ -42,7 +42,8 @@ class Reckoning:
         for counted in () if self._sink is None else self._sink.drain():
             if counted.number > self._read_to:
                 self.tally.count(counted.fruit, now_s)
-                self._meanwhile.append(counted)
+                if self._meanwhile is not None:
+                    self._meanwhile.append(counted)
 
     def read_again(self, lot: int, told: Callable[[], None]) -> None:
         """Read what the lot amounts to now; `told` is called once the tally says so."""
@@ -52,7 +53,8 @@ class Reckoning:
     def _take(self, totals: tuple[KindTotal, ...], read_to: int, told: Callable[[], None]) -> None:
         self._read_to = read_to
         self.tally.take(totals)
-        for counted in self._meanwhile:
+        for counted in self._meanwhile or ():
             if counted.number > read_to:
                 self.tally.add(counted.fruit)
+        self._meanwhile = None
         told()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from fruitgui.gui.reckoning import Reckoning
 from fruitgui.records.lot import LotPlan
 from fruitgui.records.store import Store, open_store
 from fruitgui.station.noted import NotedSink
+from fruitgui.station.sink import CountedFruit
 from tests.unit.station.fruit_made import made_fruit
 
 
@@ -63,3 +65,18 @@ def test_a_fruit_that_was_read_and_is_heard_of_later_counts_once(qtbot: QtBot, s
     qtbot.waitUntil(lambda: bool(told))
     reckoning.count_kept()
     assert _sums(reckoning) == {"lemon": 1}
+
+
+def test_no_fruit_is_held_once_it_is_counted(qtbot: QtBot, store: Store, queries: Queries) -> None:
+    sink, lot = NotedSink(store), store.lots.start(LotPlan("1184")).key
+    reckoning, told = Reckoning(store.lots, queries, (), sink), []
+    for number in range(6):
+        sink.commit(lot, made_fruit(number, "lemon"), ())
+        reckoning.count_kept()
+        if number == 2:
+            reckoning.read_again(lot, lambda: told.append(True))
+        if number == 4:
+            qtbot.waitUntil(lambda: bool(told))
+    assert _sums(reckoning) == {"lemon": 6}
+    gc.collect()
+    assert not [one for one in gc.get_objects() if isinstance(one, CountedFruit)]
