@@ -92,7 +92,9 @@ def _calibration_old(session: Session, recorded: LineRecording) -> None:
     connection = session.connection
     assert connection is not None
     other = next(one.name for one in connection.sensors if one.name != recorded.station.reference)
-    session.save_connection(referred_to(connection, other))
+    # Played again and again: one that is over is no longer calibrated.
+    source = {**connection.source, "looped": True}
+    session.save_connection(referred_to(connection, other).model_copy(update={"source": source}))
     session.start_sensors()
 
 
