@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import tracemalloc
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -219,7 +220,8 @@ def test_memory_stays_flat_however_many_are_counted(store: Store, lot: Lot) -> N
 
     tracemalloc.start()
     try:
-        early, late = count(20), count(80)
+        held = [count(20), count(40), count(40), count(40)]
     finally:
         tracemalloc.stop()
-    assert late - early < 100_000, "800 fruit weigh some 4 MB"
+    # What something else in the process takes once is in one round; fruit that are kept would be in each.
+    assert min(late - early for early, late in pairwise(held)) < 50_000, "400 fruit weigh some 2 MB"
