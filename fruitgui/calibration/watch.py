@@ -17,6 +17,7 @@ from fruitgui.calibration import planes
 from fruitgui.calibration.still import Still, average
 from fruitgui.frame import F64, Bools, Frame
 from fruitgui.geometry.plane import Plane, Surface
+from fruitgui.geometry.rig import Mount
 
 ALARM_SIGMA = 5.0
 PLANE_FLOOR_RAD, PLANE_FLOOR_M = float(np.radians(0.12)), 0.0015
@@ -24,9 +25,6 @@ PLANE_FLOOR_RAD, PLANE_FLOOR_M = float(np.radians(0.12)), 0.0015
 
 ELSEWHERE = 0.05
 """Where no larger share of the readings over the belt lies on it, fruit do not explain that."""
-
-STEP_PX = 4
-"""Every fourth pixel tells that as well as all."""
 
 LEAST_SEEN = 0.5
 """Share of the belt's pixels that must have a reading for that; a sensor in the dark or covered tells nothing."""
@@ -87,36 +85,29 @@ def plane_drift(frames: Sequence[Frame], surface: Surface) -> PlaneDrift | None:
     return PlaneDrift(tilt, lift, float(on.mean()), bool(stale))
 
 
-def belt_elsewhere(frames: Sequence[Frame], surface: Surface) -> bool:
+def belt_elsewhere(frames: Sequence[Frame], mount: Mount) -> bool:
     """Tell whether hardly a reading over the station's belt lies on it in recent frames of one sensor.
 
     The sensor was turned far away, looks at another belt, or its depth is in another unit. Without a region nothing is
     told: a belt may be small in a picture.
     """
+    if mount.surface.region_m is None:
+        return False
     still = average(frames)
-    coarse = (slice(None, None, STEP_PX), slice(None, None, STEP_PX))
-    over = _over_region(planes.rays_of(still, STEP_PX), surface)
-    seen = over & still.seen[coarse]
+    over = _over_belt(mount)
+    seen = over & still.seen
     if over.sum() < 0.02 * over.size or seen.sum() < LEAST_SEEN * over.sum():
         return False
-    return bool(_near_belt(still, surface.plane)[coarse][seen].mean() < ELSEWHERE)
+    return bool(_near_belt(still, mount.surface.plane)[seen].mean() < ELSEWHERE)
 
 
-def _over_region(rays: F64, surface: Surface) -> Bools:
-    """Return which rays (h, w, 3) meet the belt inside the hull of its region; none where it has no region."""
-    if surface.region_m is None:
-        return np.zeros(rays.shape[:2], dtype=bool)
-    plane = surface.plane
-    flat = plane.frame()
-    with np.errstate(divide="ignore", invalid="ignore"):
-        z_m = -plane.offset_m / (rays @ plane.normal)
-    meets = np.isfinite(z_m) & (z_m > 0.0)
-    belt_m = flat.apply((rays * np.where(meets, z_m, 0.0)[..., None]).reshape(-1, 3))[:, :2]
-    hull = cv2.convexHull(flat.apply(surface.region_m)[:, :2].astype(np.float32)).reshape(-1, 2).astype(np.float64)
-    along = np.roll(hull, -1, axis=0) - hull
-    sides = [dx * (belt_m[:, 1] - y) - dy * (belt_m[:, 0] - x) for (x, y), (dx, dy) in zip(hull, along, strict=True)]
-    inside = np.all(np.array(sides) >= 0.0, axis=0) | np.all(np.array(sides) <= 0.0, axis=0)
-    return np.asarray(meets & inside.reshape(meets.shape))
+def _over_belt(mount: Mount) -> Bools:
+    """Return pixels (H, W) that look at the belt inside its region."""
+    over = np.zeros((mount.intrinsics.height, mount.intrinsics.width), np.uint8)
+    corners_m = mount.footprint_m()
+    if len(corners_m):
+        cv2.fillConvexPoly(over, np.rint(mount.intrinsics.project(corners_m)).astype(np.int32), 1)
+    return over.astype(bool)
 
 
 def _near_belt(still: Still, plane: Plane) -> Bools:

@@ -55,11 +55,11 @@ class RigWatch:
             return
         self._frames[sensor].append(frame)
         if len(self._frames[sensor]) == FRAMES_PER_LOOK:
-            frames, surface = self._frames.pop(sensor), self._rig.mounts[sensor].surface
-            drift = plane_drift(frames, surface)
+            frames, mount = self._frames.pop(sensor), self._rig.mounts[sensor]
+            drift = plane_drift(frames, mount.surface)
             if drift is not None and drift.stale:
                 self._said[sensor] = _belt_moved(sensor, drift)
-            elif drift is None and belt_elsewhere(frames, surface):
+            elif drift is None and belt_elsewhere(frames, mount):
                 self._said[sensor] = _belt_elsewhere(sensor)
 
     def _pace(self, number: int) -> int:

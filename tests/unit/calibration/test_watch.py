@@ -8,6 +8,7 @@ from fruitgui.calibration.still import average
 from fruitgui.calibration.surface import fit_belt
 from fruitgui.calibration.watch import belt_elsewhere, fruit_drift, plane_drift
 from fruitgui.geometry.plane import Surface
+from fruitgui.geometry.rig import Mount
 from tests.unit.calibration.worlds import OPPOSED, frames_of, looking_at, scattered
 
 
@@ -40,13 +41,14 @@ def test_nothing_in_view_says_nothing() -> None:
 def test_a_belt_that_is_nowhere_near_is_told_from_one_that_is_not_seen() -> None:
     surface = station_surface()
     frames = frames_of("left", OPPOSED["left"], scattered(2), seed=2, count=3)
+    mount = Mount("left", OPPOSED["left"], surface, frames[0].intrinsics)
     assert surface.region_m is not None
-    assert not belt_elsewhere(frames, surface)
+    assert not belt_elsewhere(frames, mount)
     tenths = [replace(one, depth_mm=(10 * one.depth_mm.astype(np.uint32)).astype(np.uint16)) for one in frames]
-    assert belt_elsewhere(tenths, surface)
-    assert not belt_elsewhere(tenths, Surface(surface.plane))
+    assert belt_elsewhere(tenths, mount)
+    assert not belt_elsewhere(tenths, replace(mount, surface=Surface(surface.plane)))
     dark = [replace(one, depth_mm=np.zeros_like(one.depth_mm)) for one in frames]
-    assert not belt_elsewhere(dark, surface)
+    assert not belt_elsewhere(dark, mount)
 
 
 def test_fruit_that_two_sensors_see_apart_are_an_alarm() -> None:
