@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from fruitgui.measurement.correction import Reference, fit_correction
 from fruitgui.measurement.fruit import Quantity
+from fruitgui.measurement.references import Reference, fit_correction
 from fruitgui.progress import Cancelled, never_cancelled, stop_if
 
 

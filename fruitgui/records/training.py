@@ -11,7 +11,7 @@ from fruitgui.classification.comparing import Comparison, compare
 from fruitgui.classification.confusion import Judged
 from fruitgui.errors import InputError
 from fruitgui.measurement.checking import Check, check_correction
-from fruitgui.measurement.correction import Reference
+from fruitgui.measurement.references import Reference
 from fruitgui.progress import Cancelled, Progress, stop_if
 from fruitgui.records.models import Models, ModelVersion
 from fruitgui.records.store import Store

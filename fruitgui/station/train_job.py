@@ -16,8 +16,8 @@ from fruitgui.classification.evidence import LabelledFruit
 from fruitgui.classification.model import KindModel
 from fruitgui.classification.training import train
 from fruitgui.errors import InputError
-from fruitgui.measurement.correction import CorrectionFit, Reference, fit_correction
 from fruitgui.measurement.fruit import Size
+from fruitgui.measurement.references import CorrectionFit, Reference, fit_correction
 from fruitgui.measurement.size import measure
 from fruitgui.progress import Cancelled, Progress, never_cancelled, no_progress
 from fruitgui.station.judging import FEATURES, evidence

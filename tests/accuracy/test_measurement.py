@@ -11,8 +11,8 @@ import pytest
 from fruitgui.frame import F64
 from fruitgui.geometry.plane import Plane, Surface
 from fruitgui.geometry.rig import Rig
-from fruitgui.measurement.correction import Reference, fit_correction
 from fruitgui.measurement.fruit import Size
+from fruitgui.measurement.references import Reference, fit_correction
 from fruitgui.measurement.size import measure
 from fruitgui.perception.perceiver import Perceiver
 from fruitgui.simulation import scenes

@@ -5,8 +5,8 @@ import pytest
 
 from fruitgui.errors import CancelledByUserError
 from fruitgui.measurement.checking import check_correction
-from fruitgui.measurement.correction import Reference
 from fruitgui.measurement.fruit import Quantity, Size
+from fruitgui.measurement.references import Reference
 
 BIAS, CHANCE = 1.08, 0.02
 

@@ -8,8 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fruitgui.errors import InputError
-from fruitgui.measurement.correction import Reference, VolumeCorrection, fit_correction
+from fruitgui.measurement.correction import VolumeCorrection
 from fruitgui.measurement.fruit import Quantity, Size
+from fruitgui.measurement.references import Reference, fit_correction
 
 
 def size_of(volume_m3: float, relative_std: float = 0.03) -> Size:

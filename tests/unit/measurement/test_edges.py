@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from fruitgui.measurement.correction import Reference, VolumeCorrection, fit_correction
+from fruitgui.measurement.correction import VolumeCorrection
 from fruitgui.measurement.edges import CONSTANT_PX, STRANGE_SIGMAS, learn_fattening, lengths_by_edges, volume_by_edges
 from fruitgui.measurement.fruit import Edges, Quantity, Size
+from fruitgui.measurement.references import Reference, fit_correction
 from fruitgui.measurement.size import measure
 from tests.unit.measurement.solids import Solid, track_of
 

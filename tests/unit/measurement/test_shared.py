@@ -6,8 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from fruitgui.measurement.correction import Density, Reference, Shift, VolumeCorrection, fit_correction
+from fruitgui.measurement.correction import Density, Shift, VolumeCorrection
 from fruitgui.measurement.fruit import Edges, Quantity, Size
+from fruitgui.measurement.references import Reference, fit_correction
 from fruitgui.measurement.shared import shared_mass_std_kg, shared_volume_std_m3
 from fruitgui.measurement.size import SYSTEMATIC
 from fruitgui.measurement.sums import USUAL_SHARE, SharedSum
