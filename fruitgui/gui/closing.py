@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from fruitgui.gui.numbers import count_text
-from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.risk import lay_out_risk
 
 
 class LossDialog(QDialog):
@@ -20,7 +20,6 @@ class LossDialog(QDialog):
         self.leave, self.stay = QPushButton(self.tr("Close and lose them")), QPushButton(self.tr("Leave it open"))
         self._lay_out(waiting)
         self.setWindowTitle(self.tr("Close"))
-        self.setMinimumWidth(480)
 
     def _lay_out(self, waiting: int) -> None:
         title = label(self.tr("Close, though the disk is full?"), "page")
@@ -31,27 +30,7 @@ class LossDialog(QDialog):
                 "seconds later they are kept."
             )
         )
-        for one in (title, after):
-            one.setWordWrap(True)
-        self.leave.setProperty("role", "danger")
-        self.leave.setAutoDefault(False)  # Return means "leave it open", wherever the focus is
-        self.leave.clicked.connect(self.accept)
-        self.stay.clicked.connect(self.reject)
-        self.stay.setDefault(True)
-        buttons = QHBoxLayout()
-        buttons.setSpacing(GRID)
-        buttons.addStretch()
-        buttons.addWidget(self.leave)
-        buttons.addWidget(self.stay)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(3 * GRID, 3 * GRID, 3 * GRID, 3 * GRID)
-        column.setSpacing(2 * GRID)
-        for widget in (title, count, after):
-            column.addWidget(widget)
-        column.addStretch()
-        column.addLayout(buttons)
-        QWidget.setTabOrder(self.stay, self.leave)
-        self.stay.setFocus()
+        lay_out_risk(self, (title, count, after), self.leave, self.stay)
 
 
 class ClosingQuestion(QObject):

@@ -20,7 +20,7 @@ from fruitgui.gui.steps.lots.page import LotsPage
 from fruitgui.gui.theme.theme import Theme
 from fruitgui.gui.translate import Language
 from fruitgui.records.fruit_search import FruitQuery
-from fruitgui.records.lot import LotPlan
+from fruitgui.records.lot import Lot, LotPlan
 from fruitgui.records.lot_search import LotQuery
 from fruitgui.records.restore import READY
 from fruitgui.records.store import open_store
@@ -351,14 +351,19 @@ def test_a_lot_that_ends_while_the_disk_is_full_loses_nothing(
     assert (kept.fruit, kept.lot.ended_s is not None) == (FRUIT, True)
 
 
-def test_a_lot_goes_on_though_the_disk_cannot_take_that(
-    qtbot: QtBot, session: Session, ready: LivePage, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    _start(qtbot, session, ready)
-    ready.pause.trigger()
+def _paused(qtbot: QtBot, session: Session, page: LivePage) -> Lot:
+    _start(qtbot, session, page)
+    page.pause.trigger()
     qtbot.waitUntil(lambda: session.running.paused, timeout=LONG_MS)
     lot = session.running.lot
     assert lot is not None
+    return lot
+
+
+def test_a_lot_goes_on_though_the_disk_cannot_take_that(
+    qtbot: QtBot, session: Session, ready: LivePage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lot = _paused(qtbot, session, ready)
     with monkeypatch.context() as full:
         full.setattr(session.store.lots, "resume", _full)
         ready.resume.trigger()
@@ -380,11 +385,7 @@ def test_a_lot_goes_on_though_the_disk_cannot_take_that(
 def test_what_a_lot_still_owes_the_disk_is_kept_before_its_end(
     qtbot: QtBot, session: Session, ready: LivePage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    _start(qtbot, session, ready)
-    ready.pause.trigger()
-    qtbot.waitUntil(lambda: session.running.paused, timeout=LONG_MS)
-    lot = session.running.lot
-    assert lot is not None
+    lot = _paused(qtbot, session, ready)
     monkeypatch.setattr(session.running._owed, "try_again", lambda: None)
     with monkeypatch.context() as full:
         full.setattr(session.store.lots, "resume", _full)

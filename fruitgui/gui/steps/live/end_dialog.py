@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QPushButton, QWidget
 
 from fruitgui.gui.numbers import count_text
-from fruitgui.gui.theme.tokens import GRID
 from fruitgui.gui.widgets.cards import label
+from fruitgui.gui.widgets.risk import lay_out_risk
 from fruitgui.records.lot import Lot
 
 
@@ -23,10 +23,10 @@ class EndDialog(QDialog):
         super().__init__(parent)
         self._count, self._after = label("", "strong"), label("")
         self.end, self.leave = QPushButton(self.tr("End lot")), QPushButton(self.tr("Leave it open"))
-        self._lay_out(self.tr("End lot {name}?").format(name=lot.name))
+        title = label(self.tr("End lot {name}?").format(name=lot.name), "page")
+        lay_out_risk(self, (title, self._count, self._after), self.end, self.leave)
         self._after.setText(self._what_follows(running=running, paused=lot.paused))
         self.setWindowTitle(self.tr("End lot"))
-        self.setMinimumWidth(480)
         self.show_fruit(fruit)
 
     def show_fruit(self, fruit: int) -> None:
@@ -43,27 +43,3 @@ class EndDialog(QDialog):
         else:
             parts.append(self.tr("Left open, you can go on with it at any time."))
         return " ".join(parts)
-
-    def _lay_out(self, question: str) -> None:
-        self._after.setWordWrap(True)
-        self.end.setProperty("role", "danger")
-        self.end.setAutoDefault(False)  # Return means "leave it open", wherever the focus is
-        self.end.clicked.connect(self.accept)
-        self.leave.clicked.connect(self.reject)
-        self.leave.setDefault(True)
-        buttons = QHBoxLayout()
-        buttons.setSpacing(GRID)
-        buttons.addStretch()
-        buttons.addWidget(self.end)
-        buttons.addWidget(self.leave)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(3 * GRID, 3 * GRID, 3 * GRID, 3 * GRID)
-        column.setSpacing(2 * GRID)
-        title = label(question, "page")
-        title.setWordWrap(True)
-        for widget in (title, self._count, self._after):
-            column.addWidget(widget)
-        column.addStretch()
-        column.addLayout(buttons)
-        QWidget.setTabOrder(self.leave, self.end)
-        self.leave.setFocus()
