@@ -356,7 +356,7 @@
     </message>
     <message>
         <source>Leave it open</source>
-        <translation>Dejarlo abierto</translation>
+        <translation>Dejarla abierta</translation>
     </message>
     <message>
         <source>Close</source>
